@@ -1,0 +1,18 @@
+/* fault.h: a failure as a value: an exit status and one line of text for the user. */
+#ifndef MPMLAB_FAULT_H
+#define MPMLAB_FAULT_H
+
+enum { FAULT_NONE = 0, FAULT_MACHINE = 1, FAULT_USAGE = 2 };
+
+typedef struct Fault {
+    int code;       /* FAULT_*: the exit status that goes with it */
+    char text[512]; /* one line, names the culprit, no newline */
+} Fault;
+
+/* Fills *f (which may be NULL) and returns code, so that callers can write `return fault_set(...)`. */
+int fault_set(Fault *f, int code, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* The name in `names` (n of them) nearest to `got` by edit distance, for "did you mean". */
+const char *nearest_name(const char *got, const char *const *names, int n);
+
+#endif

@@ -1,0 +1,32 @@
+/* info.h: what a problem or a method says of itself, as data: name, purpose, source, parameters. */
+#ifndef MPMLAB_INFO_H
+#define MPMLAB_INFO_H
+
+/* One parameter. Numbers lie in [min, max]; if `choices` is set ("a|b|c") the value is the index of
+ * the chosen word. The list of a problem or method ends with a Param whose name is NULL. */
+typedef struct Param {
+    const char *name;
+    double value; /* default */
+    double min, max;
+    const char *unit, *meaning, *source, *choices;
+} Param;
+
+typedef struct Info {
+    const char *name;   /* as typed on the command line */
+    const char *label;  /* as printed in figures */
+    const char *about;  /* one line */
+    const char *source; /* where it is published */
+    const Param *params;
+} Info;
+
+/* Reads text as a value of p: a number within its range, or one of its words. Returns 0, or -1 with
+ * a description of what it takes in takes[128]. */
+int param_parse(const Param *p, const char *text, double *value, char takes[128]);
+
+/* Writes the value as it is typed: a word, or the shortest %g that reads back the same. */
+void param_print(const Param *p, double value, char out[64]);
+
+/* Shortest decimal that reads back to exactly x (at most %.17g). */
+void number_print(double x, char out[64]);
+
+#endif

@@ -1,0 +1,38 @@
+/* spec.h: what one run is asked to do, as typed; and the same resolved, with every default filled. */
+#ifndef MPMLAB_SPEC_H
+#define MPMLAB_SPEC_H
+
+#include "fault.h"
+
+enum { SPEC_SETS = 32, SPEC_TEXT = 1024 };
+
+typedef struct Setting {
+    char name[32], value[32];
+} Setting;
+
+/* Zeroed fields ("" or 0) mean: not given, take the default. All run inputs are finite and positive. */
+typedef struct RunSpec {
+    char problem[32], method[32], integrator[16];
+    double cells; /* per unit length, whole */
+    double ppc;   /* particles per cell */
+    double cfl;
+    double t_end;                          /* [s] */
+    int threads;                           /* 0: one */
+    int nset;                              /* settings from --set, in the order given; */
+    Setting set[SPEC_SETS];                /*   problem, method and run parameters */
+    const char *history, *particles, *nodes; /* output files of this run, or NULL; not owned */
+    const char *vtk;                       /* folder for snapshots, or NULL */
+    int every;                             /* steps between snapshots */
+} RunSpec;
+
+/* Adds NAME=VALUE to the settings (replacing an earlier NAME). 0, or a fault with code 2. */
+int spec_set(RunSpec *spec, const char *name_value, Fault *fault);
+
+/* The value of a setting as text, or NULL. */
+const char *spec_get(const RunSpec *spec, const char *name);
+
+/* The command-line arguments that make this run ("run bar --method gimp ..."), only what is given,
+ * settings sorted by name, no output files: equal inputs give equal text, which is a run's key. */
+void spec_command(const RunSpec *spec, char out[SPEC_TEXT]);
+
+#endif

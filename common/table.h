@@ -1,0 +1,36 @@
+/* table.h: CSV tables in memory, read and written whole; fits of orders (GSL). */
+#ifndef MPMLAB_TABLE_H
+#define MPMLAB_TABLE_H
+
+#include <stdio.h>
+#include "fault.h"
+
+/* Text cells, row-major; owns everything. Cells may be quoted in the file (RFC 4180). */
+typedef struct Table {
+    int ncol, nrow;
+    char **name; /* [ncol] */
+    char **cell; /* [nrow * ncol] */
+} Table;
+
+/* Reads a CSV file with a header line. NULL and a fault if it cannot be read or is ragged. */
+Table *table_read(const char *path, Fault *fault);
+void table_free(Table *t);
+
+int table_column(const Table *t, const char *name);               /* -1 if absent */
+const char *table_text(const Table *t, int row, const char *name); /* "" if absent */
+double table_number(const Table *t, int row, const char *name);    /* NAN if absent or empty */
+
+/* Puts text as one CSV cell (quoted if it must be). */
+void csv_cell(FILE *out, const char *text);
+
+/* Opens a temporary file beside path; file_commit flushes, checks and renames it into place, so that
+ * path is either the whole new file or what it was. Both report faults with code 1. */
+FILE *file_begin(const char *path, Fault *fault);
+int file_commit(FILE *f, const char *path, Fault *fault);
+void file_abandon(FILE *f, const char *path);
+
+/* Least-squares slope of log y against log x (gsl_fit_linear), with its standard error in *err if
+ * not NULL. NAN with fewer than two finite positive points. */
+double order_fit(int n, const double x[], const double y[], double *err);
+
+#endif
