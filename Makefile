@@ -1,0 +1,76 @@
+# mpmlab: `make deps figures` runs everything, `make deps test` checks everything.
+#   make CC=clang          another compiler          make ARCH=              portable build
+#   make OMP=              no threads                make BUILD=build/x      another folder
+
+CC     = gcc
+BUILD  = build
+ARCH   = -march=native
+OMP    = -fopenmp
+JOBS   = $(shell nproc)
+DIMS   = 1 2
+SAN    =
+
+OPT    = -O3 $(ARCH) -ffp-contract=fast -fno-math-errno -fno-trapping-math
+WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Wstrict-prototypes \
+         -Wmissing-prototypes -Werror $(if $(OMP),,-Wno-unknown-pragmas)
+CFLAGS = -std=gnu11 -g $(OPT) $(OMP) $(SAN) $(WARN)
+LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
+
+comma  = ,
+FREE   = $(patsubst %,common/%.c,fault info row spec table) \
+         $(wildcard studies/*.c)
+DIMMED = $(filter-out $(FREE), $(wildcard common/*.c)) $(wildcard methods/*.c) problems/registry.c
+problem_sources = $(shell sed -n 's/^PROBLEM(\([a-z_0-9]*\), $(1).*/problems\/\1.c/p' problems/problems.def)
+PROBLEMS_1 = $(call problem_sources,1)
+PROBLEMS_2 = $(call problem_sources,[01]$(comma) 1)
+PROBLEMS_3 = $(call problem_sources,[01]$(comma) [01]$(comma) 1)
+FEM_2      = $(wildcard fem_ref/*.c)
+HEADERS    = $(wildcard */*.h) $(wildcard */*.def)
+
+objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
+FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
+
+.PHONY: all deps deps-extra test figures bench san lint fuzz clean force
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+all: $(BUILD)/mpmlab
+
+# What this build is, for --version, the journals and the sidecars; rewritten only when it changes.
+$(BUILD)/facts.h: force
+	@mkdir -p $(BUILD)
+	@printf '#define FACT_VERSION "%s"\n#define FACT_COMPILER "%s"\n#define FACT_FLAGS "%s"\n#define FACT_SOURCES "%s"\n' \
+	  "$$(git describe --always --dirty --tags 2>/dev/null || echo unknown)" "$$($(CC) --version | head -n 1)" \
+	  "$(strip $(OPT) $(OMP) $(SAN))" \
+	  "$$(cat $(sort $(wildcard common/* methods/* problems/* fem_ref/*)) | cksum | cut -d' ' -f1)" > $@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
+$(BUILD)/mpmlab: $(FREE_OBJECTS) $(DIMS:%=$(BUILD)/d%/engine.o)
+	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+
+$(BUILD)/studies/%.o: studies/%.c $(HEADERS) $(BUILD)/facts.h Makefile
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -I$(BUILD) -c -o $@ $<
+
+$(BUILD)/common/%.o: common/%.c $(HEADERS) Makefile
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -c -o $@ $<
+
+# One object a dimension; all but its Engine is hidden, so that the dimensions can share names.
+define dimension
+$(BUILD)/d$(1)/%.o: %.c $(HEADERS) Makefile
+	@mkdir -p $$(@D)
+	$(CC) $(CFLAGS) -DDIM=$(1) -c -o $$@ $$<
+$(BUILD)/d$(1)/engine.o: $(call objects,$(1))
+	ld -r -o $$@.all $$^
+	objcopy --keep-global-symbol=engine_$(1)d --keep-global-symbol=fem_$(1)d $$@.all $$@
+	rm $$@.all
+endef
+$(foreach d,1 2 3,$(eval $(call dimension,$(d))))
+
+figures: all
+	$(BUILD)/mpmlab study all --jobs $(JOBS)
+	$(BUILD)/mpmlab claims
+
+clean:
+	rm -rf $(BUILD)

@@ -1,0 +1,51 @@
+/* study.h: what a study is: const data, a list of runs, and a check that reads the finished table.
+ * The engine (study.c, journal.c) runs the cases, keeps the journal, writes NAME.csv, .json, .svg,
+ * .png; a study page says only what is asked, what is plotted and what is claimed. */
+#ifndef MPMLAB_STUDY_H
+#define MPMLAB_STUDY_H
+
+#include <stdbool.h>
+#include "../common/engine.h"
+#include "../common/table.h"
+
+typedef struct Cases Cases;
+typedef struct Check Check;
+
+typedef struct Study {
+    const char *name;   /* NAME.csv, plots/NAME.gp */
+    const char *figure; /* "W07-5" */
+    const char *about;  /* one line */
+    void (*cases)(Cases *cases, bool quick);
+    /* Tables that are not rows of runs (shape functions, drawings), written into dir; or NULL. */
+    int (*tables)(const char *dir, bool quick, Fault *fault);
+    void (*check)(Check *check, const Table *rows, const char *dir); /* or NULL: nothing claimed */
+} Study;
+
+/* Adds one run, given as the command line would: case_add(cases, "run bar --ppc %d", n). */
+void case_add(Cases *cases, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* The same with a file that the run must leave beside the table: kind is "history", "particles" or
+ * "nodes", file a name within the study's folder. */
+void case_add_with(Cases *cases, const char *kind, const char *file, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* A claim: measured within [low, high] is PASS, else FAIL. id like "W07-5.mpm-exponent". */
+void claim(Check *check, const char *id, const char *statement, double measured, double low,
+           double high);
+
+/* The paper's sentence needs [low, high] and does not hold here: DIFFERS with the reason while
+ * measured stays within the evidence [seen_low, seen_high]; PASS if it does hold; else FAIL. */
+void claim_differs(Check *check, const char *id, const char *statement, double measured, double low,
+                   double high, double seen_low, double seen_high, const char *reason);
+
+/* A number that the plot shows in its key: NAME.var holds "name = value" for gnuplot. */
+void note_number(Check *check, const char *name, double value);
+
+/* Rows of the table that satisfy "column=value" for each of the n texts; collects column `want`.
+ * Returns how many were found (at most max). Texts compare as numbers where both are numbers. */
+int rows_pick(const Table *t, int n, const char *const where[], const char *want, int max,
+              double out[]);
+
+extern const Study *const studies[]; /* registry.c, NULL-terminated */
+
+#endif
