@@ -1,0 +1,35 @@
+/* material.h: hyperelastic laws: Kirchhoff stress and stored energy from F, and the wave speeds.
+ * W11 eqs 31, 32; 1D is the same with nu = 0 (sigma = E/2 (F - 1/F)). */
+#ifndef MPMLAB_MATERIAL_H
+#define MPMLAB_MATERIAL_H
+
+#include "dim.h"
+
+typedef enum { NEO_HOOKEAN, LINEAR } Law;
+
+typedef struct Material {
+    Law law;
+    double E, nu, rho;  /* [Pa] [-] [kg/m^DIM]: Young, Poisson, reference density */
+    double lambda, mu;  /* [Pa] Lame */
+} Material;
+
+/* Lame constants from E, nu. In 1D Poisson's ratio has no meaning and must be 0. */
+Material material_make(Law law, double E, double nu, double rho);
+
+double wave_speed_bar(const Material *m);   /* sqrt(E/rho) */
+double wave_speed_p(const Material *m);     /* sqrt((lambda + 2 mu)/rho) */
+double wave_speed_bound(const Material *m); /* sqrt((lambda + 3 mu)/rho), W11 eq 33: an upper bound */
+
+/* T = J sigma [Pa] for 64 particles, symmetric, row-major components. F, T: [NMAT][CHUNK]. Where
+ * J <= 0 the result is NaN (neo-Hookean) or finite nonsense (linear): the caller checks J. */
+void kirchhoff(const Material *m, const double *const F[NMAT], Field T[NMAT]);
+
+/* Stored energy per reference volume psi [J/m^DIM] for n particles. */
+void stored_energy(const Material *m, int n, const double *const F[NMAT], double psi[]);
+
+/* sigma_zz of plane strain [Pa] = (T_zz)/J: lambda ln J / J; 0 in 1D. */
+double out_of_plane_stress(const Material *m, const Mat F);
+
+double determinant(const Mat F);
+
+#endif
