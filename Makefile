@@ -17,7 +17,7 @@ CFLAGS = -std=gnu11 -g $(OPT) $(OMP) $(SAN) $(WARN)
 LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
 
 comma  = ,
-FREE   = $(patsubst %,common/%.c,fault info row spec table) \
+FREE   = $(patsubst %,common/%.c,fault file info row spec table) \
          $(wildcard studies/*.c)
 DIMMED = $(filter-out $(FREE), $(wildcard common/*.c)) $(wildcard methods/*.c) problems/registry.c
 problem_sources = $(shell sed -n 's/^PROBLEM(\([a-z_0-9]*\), $(1).*/problems\/\1.c/p' problems/problems.def)

@@ -30,4 +30,7 @@ int row_columns(void);
 const char *row_column_name(int k);
 int row_column_is_timing(int k);
 
+/* One cell as row_print writes it. Returns its length. */
+int row_cell(const Row *row, int k, char out[ROW_TEXT]);
+
 #endif

@@ -4,7 +4,7 @@
 
 #include "fault.h"
 
-enum { SPEC_SETS = 32, SPEC_TEXT = 1024 };
+enum { SPEC_SETS = 32, SPEC_TEXT = 3072 };
 
 typedef struct Setting {
     char name[32], value[32];
@@ -32,7 +32,8 @@ int spec_set(RunSpec *spec, const char *name_value, Fault *fault);
 const char *spec_get(const RunSpec *spec, const char *name);
 
 /* The command-line arguments that make this run ("run bar --method gimp ..."), only what is given,
- * settings sorted by name, no output files: equal inputs give equal text, which is a run's key. */
+ * settings sorted by name, threads only if several, no output files: equal inputs give equal text,
+ * which is a run's key. */
 void spec_command(const RunSpec *spec, char out[SPEC_TEXT]);
 
 #endif

@@ -1,0 +1,90 @@
+/* file.c: files that appear whole or not at all (table.h): written without a name where the system can
+ * (O_TMPFILE), so that a killed program leaves nothing behind, then linked and renamed into place. */
+#define _GNU_SOURCE /* O_TMPFILE */
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "table.h"
+
+static void beside(const char *path, char out[PATH_MAX])
+{
+    snprintf(out, PATH_MAX, "%.4000s.%d.tmp", path, (int)getpid());
+}
+
+/* A file without a name in path's folder; -1 where the file system has none. */
+static int open_nameless(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    char folder[PATH_MAX];
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
+    return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+}
+
+FILE *file_begin(const char *path, Fault *fault)
+{
+    char temporary[PATH_MAX];
+    beside(path, temporary);
+    int fd = open_nameless(path);
+    if (fd < 0) fd = open(temporary, O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666);
+    FILE *f = fd < 0 ? NULL : fdopen(fd, "w+");
+    if (!f) fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
+    return f;
+}
+
+/* An unchanged file keeps its old time stamp, so that what is made from it is not made again. */
+static int same_bytes(FILE *f, const char *path)
+{
+    FILE *old = fopen(path, "r");
+    if (!old) return 0;
+    char a[8192], b[sizeof a];
+    size_t na, nb;
+    rewind(f);
+    do {
+        na = fread(a, 1, sizeof a, f);
+        nb = fread(b, 1, sizeof b, old);
+    } while (na == nb && na > 0 && memcmp(a, b, na) == 0);
+    fclose(old);
+    return na == 0 && nb == 0;
+}
+
+/* Gives the file its temporary name, if it has none yet. */
+static int name_it(FILE *f, const char *temporary)
+{
+    struct stat s;
+    char self[64];
+    if (fstat(fileno(f), &s) != 0 || s.st_nlink > 0) return 0;
+    unlink(temporary);
+    snprintf(self, sizeof self, "/proc/self/fd/%d", fileno(f));
+    return linkat(AT_FDCWD, self, AT_FDCWD, temporary, AT_SYMLINK_FOLLOW);
+}
+
+int file_commit(FILE *f, const char *path, Fault *fault)
+{
+    char temporary[PATH_MAX];
+    beside(path, temporary);
+    if (fflush(f) == 0 && !ferror(f)) {
+        if (same_bytes(f, path)) {
+            file_abandon(f, path);
+            return 0;
+        }
+        if (name_it(f, temporary) == 0 && rename(temporary, path) == 0) {
+            fclose(f); /* flushed above: nothing left to fail */
+            return 0;
+        }
+    }
+    int error = errno;
+    file_abandon(f, path);
+    return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(error ? error : EIO));
+}
+
+void file_abandon(FILE *f, const char *path)
+{
+    char temporary[PATH_MAX];
+    beside(path, temporary);
+    fclose(f);
+    unlink(temporary);
+}

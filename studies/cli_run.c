@@ -1,0 +1,40 @@
+/* cli_run.c: `run`: one problem by one method, one row out. */
+#include <stdlib.h>
+#include <string.h>
+#include "cli.h"
+#include "csv_append.h"
+#include "run_args.h"
+
+static void print_row(const Row *row)
+{
+    char text[ROW_TEXT];
+    row_header(text);
+    puts(text);
+    row_print(row, text);
+    puts(text);
+}
+
+static int run(int argc, char **argv, Fault *fault)
+{
+    RunArgs args;
+    Row row = row_empty();
+    int code = run_args_read(argc, argv, &args, fault);
+    if (code) return code;
+    const Engine *engine = engine_for(&args.spec, fault);
+    if (!engine) return FAULT_USAGE;
+    if ((code = engine->resolve(&args.spec, fault))) return code;
+    if (args.csv && (code = csv_append_check(args.csv, fault))) return code;
+    if ((code = engine->run(&args.spec, &row, fault))) return code;
+    print_row(&row);
+    if (!args.quiet && strcmp(row.status, "ok") != 0)
+        fprintf(stderr, "mpmlab: %s: %s\n", row.status, row.reason);
+    return args.csv ? csv_append(args.csv, &row, args.quiet ? NULL : stderr, fault) : 0;
+}
+
+const Command run_command = {
+    .name = "run",
+    .usage = "PROBLEM [options]",
+    .about = "runs one case; prints a header and one row of comma-separated values",
+    .options = run_options,
+    .run = run,
+};

@@ -1,0 +1,185 @@
+/* run_args.c: one table says which option fills which field of a RunSpec and what it takes. */
+#include "run_args.h"
+
+#include <stddef.h>
+#include <string.h>
+
+const Option run_options[] = {
+    {"method", "M", "how particles and grid exchange information (default gimp)"},
+    {"cells", "N", "cells per unit length"},
+    {"ppc", "P", "particles per cell"},
+    {"cfl", "C", "time step over h/c"},
+    {"integrator", "I", "cd, uvf, musl, usl or usf"},
+    {"t-end", "T", "end of the run [s]"},
+    {"threads", "N", "threads inside the run (default 1)"},
+    {"set", "NAME=VALUE", "a parameter of problem, method or run; may be repeated"},
+    {"csv", "FILE", "append the row to FILE, too"},
+    {"history", "FILE", "write energies and errors of every step"},
+    {"particles", "FILE", "write the particles at the end"},
+    {"nodes", "FILE", "write the grid nodes at the end"},
+    {"vtk", "DIR", "write snapshots into DIR"},
+    {"every", "K", "steps between snapshots"},
+    {"quiet", NULL, "no messages"},
+    {NULL, NULL, NULL},
+};
+
+enum { WHOLE = 1 };
+
+static const struct Number {
+    const char *option;
+    size_t at;
+    double high;
+    int whole;
+    const char *takes;
+} numbers[] = {
+    {"cells", offsetof(RunSpec, cells), 1e7, WHOLE, "a whole number from 1 to 10000000"},
+    {"ppc", offsetof(RunSpec, ppc), 1e6, 0, "a number above 0, at most 1000000"},
+    {"cfl", offsetof(RunSpec, cfl), 1e3, 0, "a number above 0, at most 1000"},
+    {"t-end", offsetof(RunSpec, t_end), 1e12, 0, "a number above 0, at most 1e12"},
+};
+
+static const struct File {
+    const char *option;
+    size_t at;
+} files[] = {
+    {"history", offsetof(RunArgs, spec.history)},
+    {"particles", offsetof(RunArgs, spec.particles)},
+    {"nodes", offsetof(RunArgs, spec.nodes)},
+    {"vtk", offsetof(RunArgs, spec.vtk)},
+    {"csv", offsetof(RunArgs, csv)},
+};
+
+enum { MOST_NAMES = 64 };
+
+static int gather(const Info *const *list, const char *names[], int n, int max)
+{
+    for (; *list; list++) {
+        int seen = 0;
+        for (int k = 0; k < n; k++) seen |= strcmp(names[k], (*list)->name) == 0;
+        if (!seen && n < max) names[n++] = (*list)->name;
+    }
+    return n;
+}
+
+int problem_names(const char *names[], int max)
+{
+    int n = 0;
+    for (const Engine *const *e = engines; *e; e++) n = gather((*e)->problems, names, n, max);
+    return n;
+}
+
+int method_names(const char *names[], int max)
+{
+    int n = 0;
+    for (const Engine *const *e = engines; *e; e++) n = gather((*e)->methods, names, n, max);
+    return n;
+}
+
+static int name_check(const char *what, const char *takes, const char *got, const char *const *names,
+                      int n, Fault *fault)
+{
+    for (int k = 0; k < n; k++)
+        if (strcmp(names[k], got) == 0) return 0;
+    return refuse(fault, what, got, takes, names, n);
+}
+
+int method_check(const char *option, const char *name, Fault *fault)
+{
+    const char *names[MOST_NAMES];
+    return name_check(option, "a method", name, names, method_names(names, MOST_NAMES), fault);
+}
+
+static int take_problem(RunSpec *spec, const char *got, Fault *fault)
+{
+    const char *names[MOST_NAMES];
+    if (spec->problem[0]) return refuse(fault, "PROBLEM", got, "one problem only", NULL, 0);
+    if (name_check("PROBLEM", "a problem", got, names, problem_names(names, MOST_NAMES), fault))
+        return FAULT_USAGE;
+    snprintf(spec->problem, sizeof spec->problem, "%s", got);
+    return 0;
+}
+
+/* Which integrators there are, and for which method, only the engine knows. */
+static int take_integrator(RunSpec *spec, const char *got, Fault *fault)
+{
+    if (!*got || strlen(got) >= sizeof spec->integrator)
+        return refuse(fault, "--integrator", got, "an integrator's name", NULL, 0);
+    strcpy(spec->integrator, got);
+    return 0;
+}
+
+static int take_method(RunSpec *spec, const char *got, Fault *fault)
+{
+    if (method_check("--method", got, fault)) return FAULT_USAGE;
+    snprintf(spec->method, sizeof spec->method, "%s", got);
+    return 0;
+}
+
+static int take_number(RunSpec *spec, const struct Number *n, const char *got, Fault *fault)
+{
+    char option[32];
+    double x;
+    snprintf(option, sizeof option, "--%s", n->option);
+    if (number_parse(got, &x) || x <= 0 || x > n->high || (n->whole && x != (double)(long)x))
+        return refuse(fault, option, got, n->takes, NULL, 0);
+    *(double *)((char *)spec + n->at) = x;
+    return 0;
+}
+
+static int take_file(RunArgs *args, const struct File *f, const char *got, Fault *fault)
+{
+    if (!*got) return fault_set(fault, FAULT_USAGE, "--%s: got '', takes a path", f->option);
+    *(const char **)((char *)args + f->at) = got;
+    return 0;
+}
+
+static int take(void *into, const char *name, const char *got, Fault *fault)
+{
+    RunArgs *args = into;
+    RunSpec *spec = &args->spec;
+    if (!name) return take_problem(spec, got, fault);
+    for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
+        if (strcmp(numbers[k].option, name) == 0) return take_number(spec, &numbers[k], got, fault);
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++)
+        if (strcmp(files[k].option, name) == 0) return take_file(args, &files[k], got, fault);
+    switch (name[0]) { /* the rest differ in their first letters */
+    case 'm': return take_method(spec, got, fault);
+    case 'i': return take_integrator(spec, got, fault);
+    case 's': return spec_set(spec, got, fault);
+    case 't': return whole_parse("--threads", got, 1024, &spec->threads, fault);
+    case 'e': return whole_parse("--every", got, 1000000000, &spec->every, fault);
+    default: args->quiet = true; return 0;
+    }
+}
+
+int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault)
+{
+    *args = (RunArgs){.csv = NULL};
+    int code = options_read(argc, argv, run_options, take, args, fault);
+    if (code) return code;
+    if (!args->spec.problem[0])
+        return fault_set(fault, FAULT_USAGE,
+                         "PROBLEM: got nothing, takes one of those that 'list problems' prints");
+    if (args->spec.every && !args->spec.vtk)
+        return fault_set(fault, FAULT_USAGE, "--every: needs --vtk DIR");
+    return 0;
+}
+
+int run_text_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault)
+{
+    enum { MOST_WORDS = 96 };
+    char words[SPEC_TEXT], *argv[MOST_WORDS + 1] = {0}, *rest = NULL;
+    int argc = 0;
+    RunArgs args;
+    if (strlen(text) >= sizeof words)
+        return fault_set(fault, FAULT_USAGE, "run text too long: %.60s...", text);
+    strcpy(words, text);
+    for (char *w = strtok_r(words, " ", &rest); w && argc < MOST_WORDS;
+         w = strtok_r(NULL, " ", &rest))
+        argv[argc++] = w;
+    int code = run_args_read(argc, argv, &args, fault);
+    if (code) return code;
+    *spec = args.spec;
+    *engine = engine_for(spec, fault);
+    return *engine ? (*engine)->resolve(spec, fault) : FAULT_USAGE;
+}
