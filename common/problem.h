@@ -69,6 +69,7 @@ typedef struct Problem {
 struct Scene {
     const Problem *problem;
     const double *par; /* values in the order of problem->info.params; owned by the run */
+    double cell;       /* [m] grid spacing, set before init; only for parameters given in cells */
     Material mat;
     Vec lo, hi;           /* domain of the grid [m]: particles that leave it are lost */
     Vec body_lo, body_hi; /* box around the body [m] */

@@ -1,0 +1,191 @@
+/* build.c: from a scene to a mesh with masses (W11 A2), constraints and initial state. */
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "fem.h"
+#include "mesh.h"
+
+typedef struct Arena {
+    char *base; /* NULL: only count */
+    size_t used;
+} Arena;
+
+static void *slice(Arena *a, int count, size_t size)
+{
+    void *at = a->base ? a->base + a->used : NULL;
+    a->used += ((size_t)count * size + 63) / 64 * 64; /* cache lines */
+    return at;
+}
+
+static double *doubles(Arena *a, int count)
+{
+    return slice(a, count, sizeof(double));
+}
+
+/* Points every array into the block at base, or only counts. Returns the bytes. */
+static size_t lay_out(Fem *f, char *base)
+{
+    Arena a = {base, 0};
+    for (int d = 0; d < DIM; d++) {
+        f->X[d] = doubles(&a, f->nodes);
+        f->x[d] = doubles(&a, f->nodes);
+        f->v[d] = doubles(&a, f->nodes);
+        f->keep[d] = doubles(&a, f->nodes);
+        f->given[d] = doubles(&a, f->blocks);
+    }
+    f->m = doubles(&a, f->nodes);
+    f->V0 = doubles(&a, f->nodes);
+    f->id = slice(&a, f->nodes, sizeof(int));
+    f->first = slice(&a, f->nodes + 1, sizeof(int));
+    f->touching = slice(&a, f->slots, CORNERS * sizeof(int));
+    for (int c = 0; c < CORNERS; c++) f->corner[c] = slice(&a, f->slots, sizeof(int));
+    for (int k = 0; k < NMAT; k++) {
+        f->inverse[k] = doubles(&a, f->slots);
+        f->F[k] = doubles(&a, f->slots);
+    }
+    f->A0 = doubles(&a, f->slots);
+    f->force = slice(&a, f->slots, CORNERS * DIM * sizeof(double));
+    return a.used;
+}
+
+static int allocate(Fem *f, int cells, Fault *fault)
+{
+    const double have = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+    const size_t need = lay_out(f, NULL);
+    if ((double)need > have)
+        return fault_set(fault, FAULT_MACHINE,
+                         "fem: %d cells make %d elements, which take %.3g GB of memory; there are %.3g",
+                         cells, f->elements, (double)need * 1e-9, have * 1e-9);
+    f->memory = aligned_alloc(64, need);
+    if (!f->memory)
+        return fault_set(fault, FAULT_MACHINE, "fem: no memory for %d elements", f->elements);
+    memset(f->memory, 0, need);
+    lay_out(f, f->memory);
+    return 0;
+}
+
+/* Area, inverse of the edges and smallest height of the elements; padding repeats the last one. */
+static void measure(Fem *f)
+{
+    double smallest = INFINITY;
+    for (int slot = 0; slot < f->slots; slot++) {
+        int e = slot < f->elements ? slot : f->elements - 1, c[CORNERS];
+        double e2[DIM], e3[DIM];
+        for (int k = 0; k < CORNERS; k++) c[k] = f->corner[k][slot] = f->corner[k][e];
+        for (int d = 0; d < DIM; d++) {
+            e2[d] = f->X[d][c[1]] - f->X[d][c[0]];
+            e3[d] = f->X[d][c[2]] - f->X[d][c[0]];
+        }
+        double twice = e2[0] * e3[1] - e2[1] * e3[0];
+        double longest = fmax(hypot(e2[0], e2[1]), hypot(e3[0], e3[1]));
+        longest = fmax(longest, hypot(e3[0] - e2[0], e3[1] - e2[1]));
+        smallest = fmin(smallest, twice / longest);
+        f->inverse[0][slot] = e3[1] / twice;
+        f->inverse[1][slot] = -e3[0] / twice;
+        f->inverse[2][slot] = -e2[1] / twice;
+        f->inverse[3][slot] = e2[0] / twice;
+        f->A0[slot] = slot < f->elements ? 0.5 * twice : 0;
+    }
+    const BodyKind kind = f->scene->body.kind; /* boxes and rings: h, as the published runs */
+    if (kind == BODY_HOLE_PLATE || kind == BODY_DISK) f->edge = fmin(f->edge, smallest);
+}
+
+/* A2, and the list of corners that meet in each node, in element order. */
+static void connect(Fem *f)
+{
+    for (int e = 0; e < f->elements; e++)
+        for (int k = 0; k < CORNERS; k++) {
+            int i = f->corner[k][e];
+            f->V0[i] += f->A0[e] / CORNERS;
+            f->first[i + 1]++;
+        }
+    for (int i = 0; i < f->nodes; i++) {
+        f->id[i] = i;
+        f->m[i] = f->scene->mat.rho * f->V0[i];
+        f->first[i + 1] += f->first[i];
+    }
+    for (int e = f->elements - 1; e >= 0; e--) /* fill from behind: first[i + 1] comes down to first[i] */
+        for (int k = CORNERS - 1; k >= 0; k--) {
+            int i = f->corner[k][e];
+            f->touching[--f->first[i + 1]] = force_at(e, k);
+        }
+    memmove(f->first, f->first + 1, (size_t)f->nodes * sizeof(int));
+    f->first[f->nodes] = CORNERS * f->elements;
+}
+
+/* Nodes that lie on wall w in the reference lose the components it holds, and lie on it exactly. */
+static void bind_to_wall(Fem *f, const Wall *w)
+{
+    const Scene *s = f->scene;
+    const double near = 1e-9 * (s->body_hi[w->axis] - s->body_lo[w->axis]);
+    const unsigned hold = w->mirror ? 1u << w->axis : w->hold;
+    if (!w->unilateral)
+        for (int i = 0; i < f->nodes; i++) {
+            if (fabs(f->X[w->axis][i] - w->at) > near) continue;
+            f->X[w->axis][i] = w->at;
+            for (int d = 0; d < DIM; d++)
+                if (hold >> d & 1) f->keep[d][i] = 0;
+        }
+    if (hold >> w->axis & 1) {
+        f->barrier[f->barriers] = *w;
+        f->barrier[f->barriers++].hold = hold;
+    }
+}
+
+static void start_block(Fem *f, int lo, int n)
+{
+    static const double identity[NMAT] = {1, 0, 0, 1};
+    const Scene *s = f->scene;
+    Field u[DIM] = {{0}}, unused[2][NMAT] = {{{0}}};
+    const double *X[DIM];
+    double *pu[DIM], *pv[DIM], *pF[NMAT], *pL[NMAT];
+    for (int d = 0; d < DIM; d++) X[d] = f->X[d] + lo, pu[d] = u[d], pv[d] = f->v[d] + lo;
+    for (int k = 0; k < NMAT; k++) {
+        pF[k] = unused[0][k];
+        pL[k] = unused[1][k];
+        for (int i = 0; i < n; i++) pF[k][i] = identity[k];
+    }
+    if (s->problem->start) s->problem->start(s, n, X, pu, pv, pF, pL);
+    for (int d = 0; d < DIM; d++)
+        for (int i = 0; i < n; i++) f->x[d][lo + i] = X[d][i] + u[d][i];
+}
+
+Fem *fem_new(const Setup *setup, Fault *fault)
+{
+    Mesh mesh;
+    if (mesh_plan(&mesh, setup->scene, setup->cells, fault)) return NULL;
+    Fem *f = calloc(1, sizeof *f);
+    if (!f) {
+        fault_set(fault, FAULT_MACHINE, "fem: no memory");
+        return NULL;
+    }
+    f->scene = setup->scene;
+    f->threads = setup->threads > 0 ? setup->threads : 1;
+    f->nodes = mesh.nodes;
+    f->elements = mesh.elements;
+    f->slots = (mesh.elements + CHUNK - 1) / CHUNK * CHUNK;
+    f->blocks = (mesh.nodes + BLOCK - 1) / BLOCK;
+    f->edge = 1.0 / setup->cells;
+    if (allocate(f, setup->cells, fault)) {
+        free(f);
+        return NULL;
+    }
+    mesh_fill(&mesh, f->X, f->corner);
+    for (int d = 0; d < DIM; d++)
+        for (int i = 0; i < f->nodes; i++) f->keep[d][i] = 1;
+    for (int w = 0; w < f->scene->nwall; w++) bind_to_wall(f, &f->scene->wall[w]);
+    measure(f);
+    connect(f);
+    for (int lo = 0; lo < f->nodes; lo += CHUNK)
+        start_block(f, lo, f->nodes - lo < CHUNK ? f->nodes - lo : CHUNK);
+    fem_strain(f);
+    return f;
+}
+
+void fem_free(Fem *f)
+{
+    if (f) free(f->memory);
+    free(f);
+}
