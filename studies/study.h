@@ -15,7 +15,7 @@ typedef struct Study {
     const char *name;   /* NAME.csv, plots/NAME.gp */
     const char *figure; /* "W07-5" */
     const char *about;  /* one line */
-    void (*cases)(Cases *cases, bool quick);
+    void (*cases)(Cases *cases, bool quick); /* or NULL: then tables() writes NAME.csv itself */
     /* Tables that are not rows of runs (shape functions, drawings), written into dir; or NULL. */
     int (*tables)(const char *dir, bool quick, Fault *fault);
     void (*check)(Check *check, const Table *rows, const char *dir); /* or NULL: nothing claimed */
@@ -45,6 +45,9 @@ void note_number(Check *check, const char *name, double value);
  * Returns how many were found (at most max). Texts compare as numbers where both are numbers. */
 int rows_pick(const Table *t, int n, const char *const where[], const char *want, int max,
               double out[]);
+
+/* How many cases a study has; 0 if its page is wrong. */
+int study_case_count(const Study *study, bool quick);
 
 extern const Study *const studies[]; /* registry.c, NULL-terminated */
 

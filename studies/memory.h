@@ -1,0 +1,15 @@
+/* memory.h: memory that the command line needs to go on at all: there, or one line and exit 1. */
+#ifndef MPMLAB_MEMORY_H
+#define MPMLAB_MEMORY_H
+
+#include <stddef.h>
+
+void *must(void *memory);
+
+/* Room for one more element of `size` bytes behind n; list is NULL at first, and owned by the caller. */
+void *one_more(void *list, int n, size_t size);
+
+/* The formatted text in memory that the caller owns. */
+char *text_of(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+#endif

@@ -1,0 +1,36 @@
+/* pick.c: rows of a table chosen by "column=value", for the checks of studies. */
+#include <math.h>
+#include <string.h>
+#include "../common/info.h"
+#include "study.h"
+
+static bool same_value(const char *a, const char *b)
+{
+    double x, y;
+    if (number_parse(a, &x) == 0 && number_parse(b, &y) == 0) return x == y;
+    return strcmp(a, b) == 0;
+}
+
+/* A wanted column that the table lacks matches nothing. */
+static bool matches(const Table *t, int row, const char *condition)
+{
+    char column[64];
+    size_t n = strcspn(condition, "=");
+    if (n >= sizeof column || condition[n] != '=') return false;
+    memcpy(column, condition, n);
+    column[n] = '\0';
+    return table_column(t, column) >= 0 &&
+           same_value(table_text(t, row, column), condition + n + 1);
+}
+
+int rows_pick(const Table *t, int n, const char *const where[], const char *want, int max,
+              double out[])
+{
+    int found = 0;
+    for (int row = 0; row < t->nrow && found < max; row++) {
+        bool all = true;
+        for (int k = 0; k < n && all; k++) all = matches(t, row, where[k]);
+        if (all) out[found++] = table_number(t, row, want);
+    }
+    return found;
+}

@@ -1,0 +1,13 @@
+/* plot.h: figures by gnuplot from what a study left on disk. */
+#ifndef MPMLAB_PLOT_H
+#define MPMLAB_PLOT_H
+
+#include "study.h"
+
+enum { PLOT_NO_GNUPLOT = -1 };
+
+/* Draws dir/NAME.svg and .png with plots/NAME.gp if they are older than what they are made from.
+ * 0 (also if the study has no script), PLOT_NO_GNUPLOT, or a fault: the script failed. */
+int plot_study(const Study *study, const char *dir, Fault *fault);
+
+#endif

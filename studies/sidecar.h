@@ -1,0 +1,16 @@
+/* sidecar.h: NAME.csv of a study and NAME.json beside it, which says where its numbers come from. */
+#ifndef MPMLAB_SIDECAR_H
+#define MPMLAB_SIDECAR_H
+
+#include "cases.h"
+
+/* Writes the rows of all cases, in order, timing columns last. 0 or a fault. */
+int rows_write(const Cases *cases, const Journal *journal, const char *path, Fault *fault);
+
+/* Writes dir/NAME.json: inputs, version, compiler, flags, time steps, seconds, checksums. */
+int sidecar_write(const Study *study, const Cases *cases, const char *dir, Fault *fault);
+
+/* Is dir/NAME.csv the whole table that the study asks for now? If not, reason says why. */
+bool sidecar_is_current(const Study *study, const char *dir, char reason[128]);
+
+#endif

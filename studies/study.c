@@ -1,0 +1,104 @@
+/* study.c: one study from its cases to its figure: journal, table, sidecar, notes, plot. */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "claims.h"
+#include "collect.h"
+#include "memory.h"
+#include "plot.h"
+#include "pool.h"
+#include "sidecar.h"
+#include "study_run.h"
+
+int study_case_count(const Study *study, bool quick)
+{
+    Cases cases;
+    int code = cases_build(&cases, study, quick, NULL, "", NULL);
+    int n = code ? 0 : cases.n;
+    cases_free(&cases);
+    return n;
+}
+
+int folder_make(const char *path, Fault *fault)
+{
+    char *part = text_of("%s", path);
+    int failed = 0;
+    for (char *c = part + 1; !failed && *c; c++) {
+        if (*c != '/') continue;
+        *c = '\0';
+        failed = mkdir(part, 0777) != 0 && errno != EEXIST;
+        *c = '/';
+    }
+    failed = failed || (mkdir(part, 0777) != 0 && errno != EEXIST);
+    free(part);
+    return failed ? fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno)) : 0;
+}
+
+static int run_missing(const Study *study, const StudyOptions *o, const Cases *cases,
+                       Journal *journal, const char *path, Fault *fault)
+{
+    int n, *missing = cases_missing(cases, journal, &n);
+    int code = pool_run(cases, missing, n, o->jobs, journal, path, study->name, fault);
+    free(missing);
+    return code ? code : journal_reload(journal, path, fault);
+}
+
+/* NAME.var: what the check measured, for the figure's key. */
+static int write_notes(const Study *study, const char *dir, Fault *fault)
+{
+    if (!study->check) return 0;
+    char *path = text_of("%s/%s.var", dir, study->name);
+    Check check = {.notes = file_begin(path, fault)};
+    int code = check.notes ? check_study(&check, study, dir, fault) : FAULT_MACHINE;
+    if (check.notes && code) file_abandon(check.notes, path);
+    else if (check.notes) code = file_commit(check.notes, path, fault);
+    free(check.list);
+    free(path);
+    return code;
+}
+
+/* Everything behind the runs. A study without cases writes its NAME.csv itself, in tables(). */
+static int finish(const Study *study, const StudyOptions *o, const Cases *cases,
+                  const Journal *journal, Fault *fault)
+{
+    char *csv = text_of("%s/%s.csv", o->dir, study->name);
+    int code = study->cases ? rows_write(cases, journal, csv, fault) : 0;
+    free(csv);
+    if (code == 0 && study->tables) code = study->tables(o->dir, o->quick, fault);
+    if (code == 0) code = sidecar_write(study, cases, o->dir, fault);
+    if (code == 0) code = write_notes(study, o->dir, fault);
+    return code ? code : plot_study(study, o->dir, fault);
+}
+
+static int run_locked(const Study *study, const StudyOptions *o, const Cases *cases,
+                      Journal *journal, const char *path, Fault *fault)
+{
+    if (o->action == STUDY_LIST) return collect_list(study, cases, journal, o->dir, fault);
+    if (o->action == STUDY_COLLECT) {
+        int code = collect_merge(study, cases, journal, path, o->dir, fault);
+        if (code == 0) code = journal_reload(journal, path, fault);
+        if (code) return code;
+    }
+    int code = run_missing(study, o, cases, journal, path, fault);
+    return code ? code : finish(study, o, cases, journal, fault);
+}
+
+int study_run(const Study *study, const StudyOptions *o, Fault *fault)
+{
+    Cases cases;
+    Journal journal;
+    char *path = text_of("%s/%s.rows", o->dir, study->name);
+    int code = folder_make(o->dir, fault);
+    if (code == 0) code = cases_build(&cases, study, o->quick, o->methods, o->dir, fault);
+    else cases = (Cases){0};
+    bool nothing = code == 0 && o->methods && cases.n == 0; /* none of its cases has the methods */
+    if (code == 0 && !nothing) code = journal_open(&journal, path, fault);
+    if (code == 0 && !nothing) {
+        code = run_locked(study, o, &cases, &journal, path, fault);
+        journal_close(&journal);
+    }
+    cases_free(&cases);
+    free(path);
+    return code;
+}
