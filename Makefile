@@ -17,10 +17,11 @@ CFLAGS = -std=gnu11 -g $(OPT) $(OMP) $(SAN) $(WARN)
 LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
 
 comma  = ,
+paren  = (
 FREE   = $(patsubst %,common/%.c,fault file info row spec table) \
          $(wildcard studies/*.c)
 DIMMED = $(filter-out $(FREE), $(wildcard common/*.c)) $(wildcard methods/*.c) problems/registry.c
-problem_sources = $(shell sed -n 's/^PROBLEM(\([a-z_0-9]*\), $(1).*/problems\/\1.c/p' problems/problems.def)
+problem_sources = $(shell sed -n 's/^PROBLEM$(paren)\([a-z_0-9]*\), $(1).*/problems\/\1.c/p' problems/problems.def)
 PROBLEMS_1 = $(call problem_sources,1)
 PROBLEMS_2 = $(call problem_sources,[01]$(comma) 1)
 PROBLEMS_3 = $(call problem_sources,[01]$(comma) [01]$(comma) 1)
