@@ -48,7 +48,8 @@ const char *nearest_name(const char *got, const char *const *names, int n)
     const char *best = NULL;
     int least = 0;
     for (int k = 0; k < n; k++) {
-        int distance = edit_distance(got, names[k]);
+        int begins = *got && strncmp(got, names[k], strlen(got)) == 0; /* an abbreviation */
+        int distance = begins ? 1 : edit_distance(got, names[k]);
         if (best && distance >= least) continue;
         best = names[k];
         least = distance;

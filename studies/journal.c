@@ -124,17 +124,14 @@ const char *journal_row(const Journal *j, const char *key)
 
 int journal_append(int fd, const char *key, const char *row)
 {
-    size_t length = strlen(key) + 1 + strlen(row), whole = HEAD + length + 1;
-    char *line = must(malloc(whole + 1));
-    snprintf(line + HEAD, length + 2, "%s\t%s\n", key, row);
-    unsigned long sum = checksum(line + HEAD, length);
-    char first = line[HEAD];
-    snprintf(line, HEAD + 1, "%08zu %08lx ", length, sum);
-    line[HEAD] = first;
+    char *body = text_of("%s\t%s", key, row);
+    size_t length = strlen(body), whole = HEAD + length + 1;
+    char *line = text_of("%08zu %08lx %s\n", length, checksum(body, length), body);
     ssize_t done = write(fd, line, whole);
+    int error = done < 0 ? errno : ENOSPC;
     free(line);
-    if (done == (ssize_t)whole) return 0;
-    return done < 0 ? errno : ENOSPC;
+    free(body);
+    return done == (ssize_t)whole ? 0 : error;
 }
 
 void journal_close(Journal *j)

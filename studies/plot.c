@@ -108,7 +108,7 @@ static void last_line(int log, char line[256])
     text[n > 0 ? n : 0] = '\0';
     while (n > 0 && strchr(" \t\r\n", text[n - 1])) text[--n] = '\0';
     const char *last = strrchr(text, '\n');
-    snprintf(line, 256, "%s", last ? last + 1 + strspn(last + 1, " \t") : text);
+    snprintf(line, 256, "%.255s", last ? last + 1 + strspn(last + 1, " \t") : text);
 }
 
 static int draw(const char *set, const char *script, const char *part, const char *whole,

@@ -1,0 +1,37 @@
+# style.gp: what all figures share. The caller sets fmt (svg, png), out, dir, name, csv and plots.
+set encoding utf8
+if (fmt eq 'png') {
+    set terminal pngcairo size 1400,950 font 'DejaVu Sans,18' enhanced linewidth 1.4 background '#ffffff'
+} else {
+    set terminal svg size 720,490 dynamic font 'DejaVu Sans,12' enhanced name name background '#ffffff'
+}
+set output out
+set datafile separator ','
+
+# One colour (Okabe and Ito, told apart by colour-blind readers, too) and one marker a method,
+# the same in every figure: use `ls style('gimp')`. Unknown methods get the styles behind FEM's.
+METHODS = 'mpm gimp ge_mpm ge_gimp wls wls2 ge_wls fem'
+LABELS = 'MPM GIMP GE-MPM GE-GIMP WLS WLS2 GE-WLS FEM'
+array COLOUR[10] = ['#D55E00', '#0072B2', '#E69F00', '#56B4E9', '#009E73', '#CC79A7', '#8C6D00', \
+                    '#000000', '#7A5195', '#999999']
+array MARKER[10] = [4, 7, 6, 5, 9, 11, 13, 2, 15, 8]
+do for [k = 1:10] {
+    set style line k lc rgb COLOUR[k] lw 1.6 pt MARKER[k] ps 0.8
+}
+place(m) = sum [k = 1:words(METHODS)] (word(METHODS, k) eq m ? k : 0)
+style(m) = place(m) > 0 ? place(m) : 9
+label(m) = place(m) > 0 ? word(LABELS, place(m)) : m
+
+# Rows of one method: `using (only('gimp', 'ppc')):'error_linf'` has no points of the others.
+only(m, column_name) = strcol('method') eq m ? column(column_name) : NaN
+
+set border 3 lw 1 lc rgb '#444444'
+set tics nomirror out scale 0.6,0.3 textcolor rgb '#333333'
+set grid xtics ytics lt 1 dt 1 lw 0.7 lc rgb '#e3e3e3'
+set key textcolor rgb '#222222' samplen 2.4 spacing 1.2 Left reverse
+set style line 20 lc rgb '#666666' lw 1.2 dt 1 # guides
+set style line 21 lc rgb '#666666' lw 1.2 dt 2
+set minussign
+minus(s) = strstrt(s, '-') == 1 ? '−'.s[2:] : s # the sign of a number that sprintf wrote
+set tmargin 3
+heading(s) = '{/:Bold '.s.'}' # set label 1 heading('...') at graph 0, graph 1.06
