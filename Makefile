@@ -20,7 +20,7 @@ comma  = ,
 paren  = (
 FREE   = $(patsubst %,common/%.c,fault file info row spec table) \
          $(wildcard studies/*.c)
-DIMMED = $(filter-out $(FREE), $(wildcard common/*.c)) $(wildcard methods/*.c) problems/registry.c
+DIMMED = $(filter-out $(FREE), $(wildcard common/*.c)) $(wildcard methods/*.c)
 problem_sources = $(shell sed -n 's/^PROBLEM$(paren)\([a-z_0-9]*\), $(1).*/problems\/\1.c/p' problems/problems.def)
 PROBLEMS_1 = $(call problem_sources,1)
 PROBLEMS_2 = $(call problem_sources,[01]$(comma) 1)
@@ -64,7 +64,7 @@ $(BUILD)/d$(1)/%.o: %.c $(HEADERS) Makefile
 	$(CC) $(CFLAGS) -DDIM=$(1) -c -o $$@ $$<
 $(BUILD)/d$(1)/engine.o: $(call objects,$(1))
 	ld -r -o $$@.all $$^
-	objcopy --keep-global-symbol=engine_$(1)d --keep-global-symbol=fem_$(1)d $$@.all $$@
+	objcopy --keep-global-symbol=engine_$(1)d $$@.all $$@
 	rm $$@.all
 endef
 $(foreach d,1 2 3,$(eval $(call dimension,$(d))))
@@ -72,6 +72,37 @@ $(foreach d,1 2 3,$(eval $(call dimension,$(d))))
 figures: all
 	$(BUILD)/mpmlab study all --jobs $(JOBS)
 	$(BUILD)/mpmlab claims
+
+# The tests write below build/ only; CUnit's summary comes last.
+CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
+UNIT_TESTS  = $(BUILD)/tests/tools
+TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
+
+$(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -c -o $@ $<
+
+$(BUILD)/tests/tools: $(BUILD)/tests/test_tools.o $(BUILD)/tests/check.o $(TEST_OBJECTS)
+	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
+
+test: all $(UNIT_TESTS)
+	$(CLI_TEST)
+	@for t in $(UNIT_TESTS); do (cd $(BUILD)/tests && $(CURDIR)/$$t) || exit 1; done
+
+lint:
+	BUILD=$(BUILD)/lint bash tests/lint.sh
+
+# The same tests under the address and undefined-behaviour sanitizers.
+san:
+	$(MAKE) BUILD=$(BUILD)/san ARCH= OPT='-O1 -fno-omit-frame-pointer' \
+	  SAN=-fsanitize=address,undefined test
+
+deps:
+	@bash tests/deps.sh gcc make binutils libc6-dev libgsl-dev libjansson-dev zlib1g-dev \
+	  libcunit1-dev gnuplot-nox fonts-dejavu-core
+
+deps-extra:
+	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind libclang-rt-14-dev libomp-14-dev
 
 clean:
 	rm -rf $(BUILD)

@@ -3,6 +3,7 @@
 #ifndef MPMLAB_MATERIAL_H
 #define MPMLAB_MATERIAL_H
 
+#include <stdbool.h>
 #include "dim.h"
 
 typedef enum { NEO_HOOKEAN, LINEAR } Law;

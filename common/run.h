@@ -3,6 +3,7 @@
 #define MPMLAB_RUN_H
 
 #include "engine.h"
+#include "method.h"
 #include "points.h"
 #include "problem.h"
 
@@ -15,12 +16,10 @@ typedef struct Status {
     double value; /* what was wrong: J, a position, ... */
 } Status;
 
-typedef enum { CD, UVF, MUSL, USL, USF, INTEGRATORS } Integrator;
-
 /* Everything a solver is built from. Not owned by the solver, but outlives it. */
 typedef struct Setup {
     const Scene *scene;
-    const struct Method *method; /* NULL for FEM */
+    const Method *method;        /* NULL for FEM */
     const double *method_par;    /* values in the order of the method's params */
     Integrator integrator;
     int cells;                   /* per unit length; h = 1/cells */
@@ -45,7 +44,7 @@ typedef struct Counts {
 /* Something that advances points in time. `self` is what make returned. One per kind: the particle
  * core (step.c), the FEM reference. */
 typedef struct Solver {
-    const Info *info;  /* of a solver that is chosen like a method (FEM); NULL for the particle core */
+    Info info; /* of a solver that is chosen by name like a method (FEM); else empty */
 
     /* Builds everything; NULL and a fault (2: no mesh for this scene, bad ppc; 1: memory, said before
      * it is allocated). */

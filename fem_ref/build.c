@@ -33,20 +33,18 @@ static size_t lay_out(Fem *f, char *base)
         f->x[d] = doubles(&a, f->nodes);
         f->v[d] = doubles(&a, f->nodes);
         f->keep[d] = doubles(&a, f->nodes);
-        f->given[d] = doubles(&a, f->blocks);
+        f->given[d] = doubles(&a, f->nodes);
     }
+    f->now = slice(&a, f->nodes, sizeof(Pair));
     f->m = doubles(&a, f->nodes);
     f->V0 = doubles(&a, f->nodes);
     f->id = slice(&a, f->nodes, sizeof(int));
-    f->first = slice(&a, f->nodes + 1, sizeof(int));
-    f->touching = slice(&a, f->slots, CORNERS * sizeof(int));
+    f->touching = slice(&a, f->nodes, sizeof *f->touching);
     for (int c = 0; c < CORNERS; c++) f->corner[c] = slice(&a, f->slots, sizeof(int));
-    for (int k = 0; k < NMAT; k++) {
-        f->inverse[k] = doubles(&a, f->slots);
-        f->F[k] = doubles(&a, f->slots);
-    }
+    for (int k = 0; k < NMAT; k++) f->F[k] = doubles(&a, f->slots);
+    f->inverse = slice(&a, f->slots / CHUNK, sizeof *f->inverse);
     f->A0 = doubles(&a, f->slots);
-    f->force = slice(&a, f->slots, CORNERS * DIM * sizeof(double));
+    f->force = slice(&a, no_force(f) + 1, sizeof(Pair));
     return a.used;
 }
 
@@ -55,9 +53,10 @@ static int allocate(Fem *f, int cells, Fault *fault)
     const double have = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
     const size_t need = lay_out(f, NULL);
     if ((double)need > have)
-        return fault_set(fault, FAULT_MACHINE,
-                         "fem: %d cells make %d elements, which take %.3g GB of memory; there are %.3g",
-                         cells, f->elements, (double)need * 1e-9, have * 1e-9);
+        return fault_set(
+            fault, FAULT_MACHINE,
+            "fem: %d cells make %d elements, which take %.3g GB of memory; there are %.3g", cells,
+            f->elements, (double)need * 1e-9, have * 1e-9);
     f->memory = aligned_alloc(64, need);
     if (!f->memory)
         return fault_set(fault, FAULT_MACHINE, "fem: no memory for %d elements", f->elements);
@@ -82,37 +81,32 @@ static void measure(Fem *f)
         double longest = fmax(hypot(e2[0], e2[1]), hypot(e3[0], e3[1]));
         longest = fmax(longest, hypot(e3[0] - e2[0], e3[1] - e2[1]));
         smallest = fmin(smallest, twice / longest);
-        f->inverse[0][slot] = e3[1] / twice;
-        f->inverse[1][slot] = -e3[0] / twice;
-        f->inverse[2][slot] = -e2[1] / twice;
-        f->inverse[3][slot] = e2[0] / twice;
+        Field *B = f->inverse[slot / CHUNK];
+        B[0][slot % CHUNK] = e3[1] / twice;
+        B[1][slot % CHUNK] = -e3[0] / twice;
+        B[2][slot % CHUNK] = -e2[1] / twice;
+        B[3][slot % CHUNK] = e2[0] / twice;
         f->A0[slot] = slot < f->elements ? 0.5 * twice : 0;
     }
     const BodyKind kind = f->scene->body.kind; /* boxes and rings: h, as the published runs */
     if (kind == BODY_HOLE_PLATE || kind == BODY_DISK) f->edge = fmin(f->edge, smallest);
 }
 
-/* A2, and the list of corners that meet in each node, in element order. */
+/* A2, and the corners that meet in each node, in element order. */
 static void connect(Fem *f)
 {
-    for (int e = 0; e < f->elements; e++)
-        for (int k = 0; k < CORNERS; k++) {
-            int i = f->corner[k][e];
-            f->V0[i] += f->A0[e] / CORNERS;
-            f->first[i + 1]++;
-        }
     for (int i = 0; i < f->nodes; i++) {
         f->id[i] = i;
-        f->m[i] = f->scene->mat.rho * f->V0[i];
-        f->first[i + 1] += f->first[i];
+        for (int k = 0; k < VALENCE; k++) f->touching[i][k] = no_force(f);
     }
-    for (int e = f->elements - 1; e >= 0; e--) /* fill from behind: first[i + 1] comes down to first[i] */
-        for (int k = CORNERS - 1; k >= 0; k--) {
-            int i = f->corner[k][e];
-            f->touching[--f->first[i + 1]] = force_at(e, k);
+    for (int e = 0; e < f->elements; e++)
+        for (int c = 0; c < CORNERS; c++) {
+            int i = f->corner[c][e], k = 0;
+            while (f->touching[i][k] != no_force(f)) k++;
+            f->touching[i][k] = force_at(e, c);
+            f->V0[i] += f->A0[e] / CORNERS;
         }
-    memmove(f->first, f->first + 1, (size_t)f->nodes * sizeof(int));
-    f->first[f->nodes] = CORNERS * f->elements;
+    for (int i = 0; i < f->nodes; i++) f->m[i] = f->scene->mat.rho * f->V0[i];
 }
 
 /* Nodes that lie on wall w in the reference lose the components it holds, and lie on it exactly. */
@@ -149,7 +143,7 @@ static void start_block(Fem *f, int lo, int n)
     }
     if (s->problem->start) s->problem->start(s, n, X, pu, pv, pF, pL);
     for (int d = 0; d < DIM; d++)
-        for (int i = 0; i < n; i++) f->x[d][lo + i] = X[d][i] + u[d][i];
+        for (int i = 0; i < n; i++) f->now[lo + i][d] = f->x[d][lo + i] = X[d][i] + u[d][i];
 }
 
 Fem *fem_new(const Setup *setup, Fault *fault)
@@ -166,7 +160,6 @@ Fem *fem_new(const Setup *setup, Fault *fault)
     f->nodes = mesh.nodes;
     f->elements = mesh.elements;
     f->slots = (mesh.elements + CHUNK - 1) / CHUNK * CHUNK;
-    f->blocks = (mesh.nodes + BLOCK - 1) / BLOCK;
     f->edge = 1.0 / setup->cells;
     if (allocate(f, setup->cells, fault)) {
         free(f);

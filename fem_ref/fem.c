@@ -1,18 +1,13 @@
 /* fem.c: explicit FEM with linear triangles as a Solver: the yardstick of W11 (Appendix A).
  *
- * One Gauss point, lumped mass, updated Lagrangian, central difference with the half first step. Points
- * are nodes (id = node), samples are elements. Shares no loop with the particle methods, so that they
- * cannot share a fault. element.c has the forces, node.c the motion, build.c and mesh.c the mesh. */
+ * One Gauss point, lumped mass, updated Lagrangian, central difference with the half first step.
+ * Points are nodes (id = node), samples are elements. Shares no loop with the particle methods, so
+ * that they cannot share a fault. element.c has the forces, node.c the motion, build.c and mesh.c
+ * the mesh. */
 #include <math.h>
 #include "fem.h"
 
 static const Param params[] = {{NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
-
-static const Info info = {.name = "fem",
-                          .label = "FEM",
-                          .about = "explicit linear triangles on a body-fitted mesh, the reference",
-                          .source = "W11 Appendix A",
-                          .params = params};
 
 static void *make(const Setup *setup, Fault *fault)
 {
@@ -66,7 +61,10 @@ static void counts(const void *self, Counts *out)
 static void impulse(const void *self, Vec out)
 {
     const Fem *f = self;
-    for (int d = 0; d < DIM; d++) out[d] = f->impulse[d];
+    for (int d = 0; d < DIM; d++) {
+        out[d] = 0;
+        for (int i = 0; i < f->nodes; i++) out[d] += f->given[d][i];
+    }
 }
 
 /* Adds the F and sigma of element e, of a chunk with Kirchhoff stress T, to its three nodes. */
@@ -104,8 +102,12 @@ static void destroy(void *self)
     fem_free(self);
 }
 
-const Solver fem_2d = {
-    .info = &info,
+const Solver solver_fem = {
+    .info = {.name = "fem",
+             .label = "FEM",
+             .about = "explicit linear triangles on a body-fitted mesh, the reference",
+             .source = "W11 Appendix A",
+             .params = params},
     .make = make,
     .unit_dt = unit_dt,
     .step = step,

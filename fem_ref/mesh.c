@@ -1,12 +1,12 @@
 /* mesh.c: structured triangles for the bodies a scene can name (PHYSICS 7, 9, 10).
  *
- * Box, ring, hole plate: ni x nj quads, the image of a square lattice (s, t) in [0,1]^2, each quad cut
- * along alternating diagonals. s runs across (x, radius), t along (y, angle):
- *   box         x = lo + (s, t) (hi - lo)                 ni = Lx N, nj = Ly N
- *   ring        R = Ri + s (Ro - Ri)                      ni = (Ro - Ri) N, nj = angle (Ri + Ro)/2 N
- *   hole plate  R = Ri + s (edge(angle) - Ri), the blend of circle and square; in units of the plate's
- *               width ni = .6 N, nj = 2 ceil(pi/4 .7 N), even so that the diagonal meets the corner
- * (all rounded up). Disk: a centre and rings k = 1 .. Ro N of 6 k nodes: nearly equal triangles. */
+ * Box, ring, hole plate: ni x nj quads, the image of a square lattice (s, t) in [0,1]^2, each quad
+ * cut along alternating diagonals. s runs across (x, radius), t along (y, angle): box         x =
+ * lo + (s, t) (hi - lo)                 ni = Lx N, nj = Ly N ring        R = Ri + s (Ro - Ri) ni =
+ * (Ro - Ri) N, nj = angle (Ri + Ro)/2 N hole plate  R = Ri + s (edge(angle) - Ri), the blend of
+ * circle and square; in units of the plate's width ni = .6 N, nj = 2 ceil(pi/4 .7 N), even so that
+ * the diagonal meets the corner (all rounded up). Disk: a centre and rings k = 1 .. Ro N of 6 k
+ * nodes: nearly equal triangles. */
 #include <limits.h>
 #include <math.h>
 #include "mesh.h"
@@ -65,10 +65,14 @@ int mesh_plan(Mesh *mesh, const Scene *scene, int cells, Fault *fault)
     nodes = disk ? 1 + 3 * ni * (ni + 1) : (ni + 1) * (nj + !closed);
     elements = disk ? 6 * ni * ni : 2 * ni * nj;
     if (elements > INT_MAX / 8.0)
-        return fault_set(fault, FAULT_MACHINE, "fem: %.3g elements at %d cells are too many", elements,
-                         cells);
-    *mesh = (Mesh){.scene = scene, .ni = (int)ni, .nj = (int)nj, .closed = closed,
-                   .nodes = (int)nodes, .elements = (int)elements};
+        return fault_set(fault, FAULT_MACHINE, "fem: %.3g elements at %d cells are too many",
+                         elements, cells);
+    *mesh = (Mesh){.scene = scene,
+                   .ni = (int)ni,
+                   .nj = (int)nj,
+                   .closed = closed,
+                   .nodes = (int)nodes,
+                   .elements = (int)elements};
     return 0;
 }
 

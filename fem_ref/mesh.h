@@ -13,11 +13,12 @@ typedef struct Mesh {
     int nodes, elements;
 } Mesh;
 
-/* Mesh of edge about 1/cells. 0, or a fault: 2 for a body without a mesh, 1 for one beyond counting. */
+/* Mesh of edge about 1/cells. 0, or a fault: 2 for a body without a mesh, 1 for one beyond
+ * counting. */
 int mesh_plan(Mesh *mesh, const Scene *scene, int cells, Fault *fault);
 
-/* Node positions X [m] [DIM][nodes] and, counter-clockwise, corners [3][elements]. Neighbours in space
- * have near numbers. */
+/* Node positions X [m] [DIM][nodes] and, counter-clockwise, corners [3][elements]. Neighbours in
+ * space have near numbers. */
 void mesh_fill(const Mesh *mesh, Fields X, int *const corner[3]);
 
 #endif

@@ -1,24 +1,27 @@
 /* node.c: motion of the nodes (W11 A1, A5, A6), walls, and the momentum that comes from outside.
  *
  *   a = f/M + b(X, t),  v += dt a (dt/2 on the first step),  x += dt v.
- * Forces are summed node by node over its corners in a fixed order, and blocks in theirs, so that no
- * bit depends on the number of threads.
+ * Forces are summed node by node over its corners in a fixed order: no bit depends on the number of
+ * threads.
  *
- * Walls. A node whose reference position lies on a wall keeps the held components at zero velocity for
- * good (a mirror: the normal one); its wall may be one the body is glued to. Any other node, and every
- * node of a unilateral wall, meets the wall as a barrier if the normal is held: where a step would end
- * beyond, the node stops on the wall with the other held components at rest, and leaves as soon as it is
- * pulled away. So an impact never sticks, also where a grid method would call the wall bilateral. */
+ * Walls. A node whose reference position lies on a wall keeps the held components at zero velocity
+ * for good (a mirror: the normal one); its wall may be one the body is glued to. Any other node,
+ * and every node of a unilateral wall, meets the wall as a barrier if the normal is held: where a
+ * step would end beyond, the node stops on the wall with the other held components at rest, and
+ * leaves as soon as it is pulled away. So an impact never sticks, also where a grid method would
+ * call the wall bilateral. */
 #include "fem.h"
 
 /* Internal force on the nodes lo .. lo + n. */
 static inline void gather_forces(const Fem *f, int lo, int n, double force[DIM][BLOCK])
 {
     for (int i = 0; i < n; i++) {
-        double sum[DIM] = {0};
-        for (int k = f->first[lo + i]; k < f->first[lo + i + 1]; k++)
-            for (int d = 0; d < DIM; d++) sum[d] += f->force[f->touching[k] + d * CHUNK];
-        for (int d = 0; d < DIM; d++) force[d][i] = sum[d];
+        const int *at = f->touching[lo + i];
+        Pair sum[VALENCE];
+        for (int k = 0; k < VALENCE; k++) sum[k] = f->force[at[k]];
+        for (int half = VALENCE / 2; half > 0; half /= 2)
+            for (int k = 0; k < half; k++) sum[k] += sum[k + half];
+        for (int d = 0; d < DIM; d++) force[d][i] = sum[0][d];
     }
 }
 
@@ -41,54 +44,60 @@ static bool any_beyond(const double *x, int n, double at, int side)
     return beyond;
 }
 
+/* Takes component d of node i to position x within the step that has just moved it. */
+static void correct(Fem *f, int d, int i, double x, double dt)
+{
+    double dv = (x - f->x[d][i]) / dt;
+    f->x[d][i] = x;
+    f->v[d][i] += dv;
+    f->given[d][i] += f->m[i] * dv;
+}
+
 /* Stops the nodes that went beyond wall w in this step. */
 static void stop(Fem *f, const Wall *w, int lo, int n, double dt)
 {
-    double *x = f->x[w->axis] + lo, *v = f->v[w->axis] + lo;
-    if (!any_beyond(x, n, w->at, w->side)) return;
-    for (int i = 0; i < n; i++) {
+    const double *x = f->x[w->axis];
+    if (!any_beyond(x + lo, n, w->at, w->side)) return;
+    for (int i = lo; i < lo + n; i++) {
         if (!(w->side * (x[i] - w->at) > 0)) continue;
-        double before = x[i] - dt * v[i];
         for (int d = 0; d < DIM; d++)
-            if (d != w->axis && (w->hold >> d & 1)) {
-                f->x[d][lo + i] -= dt * f->v[d][lo + i];
-                f->v[d][lo + i] = 0;
-            }
-        v[i] = (w->at - before) / dt;
-        x[i] = w->at;
+            if (d == w->axis)
+                correct(f, d, i, w->at, dt);
+            else if (w->hold >> d & 1)
+                correct(f, d, i, f->x[d][i] - dt * f->v[d][i], dt);
     }
 }
 
-/* One block of nodes. What it gains beyond the internal forces came from body forces and walls. */
-static void move_block(Fem *f, int block, double t, double dt, double dt_v)
+/* One component of n nodes. What they gain beyond the internal force came from outside. */
+static inline void move(int n, const double force[], const double b[], const double m[],
+                        const double keep[], double dt, double dt_v, double *restrict x,
+                        double *restrict v, double *restrict given)
 {
-    const int lo = block * BLOCK, n = f->nodes - lo < BLOCK ? f->nodes - lo : BLOCK;
-    double force[DIM][BLOCK], b[DIM][BLOCK], before[DIM][BLOCK];
-    const double *m = f->m + lo;
+    for (int i = 0; i < n; i++) {
+        double new = keep[i] * (v[i] + dt_v * (force[i] / m[i] + b[i]));
+        given[i] += m[i] * (new - v[i]) - dt_v * force[i];
+        v[i] = new;
+        x[i] += dt * new;
+    }
+}
+
+static void move_block(Fem *f, int lo, double t, double dt, double dt_v)
+{
+    const int n = f->nodes - lo < BLOCK ? f->nodes - lo : BLOCK;
+    double force[DIM][BLOCK], b[DIM][BLOCK];
     gather_forces(f, lo, n, force);
     body_force(f, lo, n, t, b);
-    for (int d = 0; d < DIM; d++) {
-        double *x = f->x[d] + lo, *v = f->v[d] + lo, *keep = f->keep[d] + lo;
-        for (int i = 0; i < n; i++) {
-            before[d][i] = v[i];
-            v[i] = keep[i] * (v[i] + dt_v * (force[d][i] / m[i] + b[d][i]));
-            x[i] += dt * v[i];
-        }
-    }
+    for (int d = 0; d < DIM; d++)
+        move(n, force[d], b[d], f->m + lo, f->keep[d] + lo, dt, dt_v, f->x[d] + lo, f->v[d] + lo,
+             f->given[d] + lo);
     for (int w = 0; w < f->barriers; w++) stop(f, &f->barrier[w], lo, n, dt);
-    for (int d = 0; d < DIM; d++) {
-        double sum = 0;
-        const double *v = f->v[d] + lo;
-        for (int i = 0; i < n; i++) sum += m[i] * (v[i] - before[d][i]) - dt_v * force[d][i];
-        f->given[d][block] = sum;
-    }
+    for (int i = lo; i < lo + n; i++)
+        for (int d = 0; d < DIM; d++) f->now[i][d] = f->x[d][i];
 }
 
 void fem_move(Fem *f, double t, double dt, bool first)
 {
     const double dt_v = first ? 0.5 * dt : dt;
 #pragma omp parallel for schedule(static) num_threads(f->threads) if (f->threads > 1)
-    for (int block = 0; block < f->blocks; block++) move_block(f, block, t, dt, dt_v);
-    for (int d = 0; d < DIM; d++)
-        for (int block = 0; block < f->blocks; block++) f->impulse[d] += f->given[d][block];
+    for (int lo = 0; lo < f->nodes; lo += BLOCK) move_block(f, lo, t, dt, dt_v);
 }

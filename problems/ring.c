@@ -1,7 +1,7 @@
 /* ring.c: oscillating ring, a manufactured solution at large strain (W11 5.1, eqs 36, 37).
  *
- *   u(R, t) = s(t) g(R) e_R,  s = A cos(w t), w = c pi, c = sqrt(E/rho),  g = c1 R + c2 R^2 + c3 R^3,
- *   g' = 0 at both radii, so that they are free of traction.
+ *   u(R, t) = s(t) g(R) e_R,  s = A cos(w t), w = c pi, c = sqrt(E/rho),  g = c1 R + c2 R^2 + c3
+ * R^3, g' = 0 at both radii, so that they are free of traction.
  *
  * Body force. nu = 0: P = mu (F - F^-T), mu = E/2, and F is diagonal in polar axes,
  *   F_rr = 1 + s g',  F_tt = 1 + s g/R,  P_rr = mu (F_rr - 1/F_rr),  P_tt likewise.
@@ -41,9 +41,9 @@ static int init(Scene *s, char why[128])
     s->c = wave_speed_bar(&s->mat);
     s->t_end = 2 / s->c;
     s->error_scale = 1;
-    s->body = (Body){BODY_RING,
-                     {s->par[OFFSET_X] * s->cell, s->par[OFFSET_Y] * s->cell},
-                     inner, outer, turn, turn + (full ? 2 * M_PI : M_PI / 2)};
+    s->body = (Body){BODY_RING, {s->par[OFFSET_X] * s->cell, s->par[OFFSET_Y] * s->cell},
+                     inner,     outer,
+                     turn,      turn + (full ? 2 * M_PI : M_PI / 2)};
     for (int d = 0; d < DIM; d++) {
         s->lo[d] = full ? -2 : 0;
         s->hi[d] = 2;
@@ -105,8 +105,8 @@ static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
         double R = sqrt(x * x + y * y), g_over_R = c1 + R * (c2 + R * c3);
         double iF_rr = 1 / (1 + a * (c1 + R * (2 * c2 + R * 3 * c3)));
         double iF_tt = 1 / (1 + a * g_over_R);
-        double stress = (1 + iF_rr * iF_rr) * (2 * c2 + 6 * c3 * R) +
-                        (1 + iF_rr * iF_tt) * (c2 + 2 * c3 * R);
+        double stress =
+            (1 + iF_rr * iF_rr) * (2 * c2 + 6 * c3 * R) + (1 + iF_rr * iF_tt) * (c2 + 2 * c3 * R);
         double b_over_R = -a * (w2 * g_over_R + half_c2 * stress / R);
         b[0][p] = b_over_R * x;
         b[1][p] = b_over_R * y;

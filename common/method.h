@@ -1,0 +1,81 @@
+/* method.h: the plug-in contract: how a method moves information between particles and grid.
+ *
+ * A method is a const struct of data and of small stages. Each stage is a plain loop over the 64
+ * particles of a chunk, called once per chunk: the call is free and the compiler vectorizes the loop.
+ * The shared core (scheme.h) scatters and gathers between chunk and grid:
+ *
+ *   deposit   node[lane] += w_ip[lane] (A_p[lane] + sum_d B_pd[lane] (x_i - x_p)_d)
+ *   gather    sums_p[lane] = sum_i w_ip[lane] node[lane]
+ *
+ * with w_ip = S_ip for the lanes below FLUX and dS_ip/dx_b for the lane FLUX + b DIM + a. Lanes of a
+ * deposit: dim.h. A gather finds v in lanes 0 .. DIM-1, a in DIM .. 2 DIM - 1 and v once more in the
+ * lanes from FLUX on, which so become the velocity gradient. Slopes B exist on the momentum lanes
+ * only (GE, TPIC and APIC need no more).  */
+#ifndef MPMLAB_METHOD_H
+#define MPMLAB_METHOD_H
+
+#include <stdbool.h>
+#include "dim.h"
+#include "info.h"
+
+enum { MAX_WIDTH = 33 }; /* nodes per axis that a stencil may span */
+
+typedef enum { CD, UVF, MUSL, USL, USF, INTEGRATORS } Integrator; /* step.c */
+
+/* What a gather is for; the integrator says. */
+enum {
+    TAKE_V = 1,     /* velocities from a */
+    TAKE_X = 2,     /* positions from v */
+    TAKE_F = 4,     /* L from v, and F from L */
+    TAKE_L = 8,     /* L only: a refreshed gradient */
+    STASH_X = 16,   /* remember the displacement dt v, move later */
+    MOVE_STASH = 32 /* move by what was remembered */
+};
+
+/* 64 particles: pointers into the arrays of sim.h; L and u are NULL where not kept. */
+typedef struct Chunk {
+    double *x[DIM], *v[DIM], *F[NMAT], *L[NMAT], *u[DIM];
+    const double *X[DIM], *m, *V0;
+    const int *id;
+} Chunk;
+
+/* Stencils of one axis of a chunk. Positions and half widths in cells, from node 0. */
+typedef struct Stencil {
+    int base[CHUNK];       /* first node that each particle sees */
+    Field S[MAX_WIDTH];    /* [-] weight of node base + k */
+    Field G[MAX_WIDTH];    /* [1/cell] its derivative by the particle's position */
+} Stencil;
+
+/* What a chunk deposits. */
+typedef struct Payload {
+    Field A[LANES];
+    Field B[DIM][DIM]; /* [axis d][component a]: m L_ad of the momentum lanes, if affine */
+} Payload;
+
+typedef struct Method {
+    Info info;
+    unsigned valid;        /* bit per Integrator: published or proven sound */
+    unsigned valid_fresh;  /* more of them with refresh=1 */
+    int integrator[4];     /* default by dimension, [0] unused */
+    bool keeps_L;          /* the particle carries its velocity gradient from step to step */
+    bool affine;           /* payload fills B */
+    bool linear_exact;     /* projects linear fields exactly from any particle set */
+    bool surface;          /* needs surface particles */
+
+    /* Nodes per axis for half widths up to b [cells]; at most MAX_WIDTH. */
+    int (*width)(double b);
+
+    /* Weights of one axis: positions x and half widths b [cells]. */
+    void (*shape)(int width, const Field x, const Field b, Stencil *out);
+
+    /* A (and B) from the particles; T is V0 J sigma / h [N] (G is per cell), or zero. */
+    void (*payload)(const Chunk *c, const Field T[NMAT], Payload *out);
+
+    /* Particles from the gathered sums, over dt [s]; `take`: TAKE_*. */
+    void (*update)(const Chunk *c, const Field sums[LANES], double dt, unsigned take);
+} Method;
+
+/* NULL-terminated, in registry order; methods/registry.c. */
+extern const Method *const methods[];
+
+#endif

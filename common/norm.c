@@ -1,0 +1,112 @@
+/* norm.c: see norm.h. Sums run in slot order, which no number of threads changes. */
+#include <math.h>
+#include <stdlib.h>
+#include "norm.h"
+
+bool scratch_fit(Scratch *s, int n)
+{
+    if (n <= s->room) return true;
+    scratch_free(s);
+    bool ok = (s->w = malloc(sizeof(double) * (size_t)n)) != NULL;
+    for (int d = 0; d < DIM; d++) ok = (s->v[d] = malloc(sizeof(double) * (size_t)n)) && ok;
+    s->room = ok ? n : 0;
+    return ok;
+}
+
+void scratch_free(Scratch *s)
+{
+    free(s->w);
+    for (int d = 0; d < DIM; d++) free(s->v[d]);
+    *s = (Scratch){0};
+}
+
+/* Norms of e[] with weights w[]; a NaN error makes every norm NaN. */
+static Errors norms(int n, const double e[], const double w[])
+{
+    double most = 0, square = 0, sum = 0, weight = 0;
+    for (int k = 0; k < n; k++) {
+        if (!(w[k] > 0)) continue;
+        most = e[k] <= most ? most : e[k];
+        square += w[k] * e[k] * e[k];
+        sum += w[k] * e[k];
+        weight += w[k];
+    }
+    return (Errors){most, sqrt(square / weight), sum / weight};
+}
+
+Errors displacement_errors(const Scene *scene, const Points *p, double t, Scratch *s)
+{
+    scene->problem->exact(scene, p->n, p->X, t, s->v);
+    for (int k = 0; k < p->n; k++) {
+        double square = 0;
+        for (int d = 0; d < DIM; d++) {
+            const double e = p->x[d][k] - p->X[d][k] - s->v[d][k];
+            square += e * e;
+        }
+        s->w[k] = sqrt(square) / scene->error_scale;
+    }
+    return norms(p->n, s->w, p->V0);
+}
+
+Errors projection_errors(const Scene *scene, const Nodes *n, Scratch *s)
+{
+    double *weight = s->v[0];
+    scene->problem->exact(scene, n->n, n->x, 0, s->v);
+    for (int k = 0; k < n->n; k++) {
+        double error = 0, size = 0;
+        bool inside = n->m[k] > 0;
+        for (int d = 0; d < DIM; d++) {
+            const double e = n->v[d][k] - s->v[d][k];
+            error += e * e;
+            size += s->v[d][k] * s->v[d][k];
+            inside = inside && n->x[d][k] > scene->body_lo[d] && n->x[d][k] < scene->body_hi[d];
+        }
+        s->w[k] = sqrt(error / size);
+        weight[k] = inside;
+    }
+    return norms(n->n, s->w, weight);
+}
+
+double kinetic_energy(const Points *p)
+{
+    double sum = 0;
+    for (int k = 0; k < p->n; k++) {
+        double square = 0;
+        for (int d = 0; d < DIM; d++) square += p->v[d][k] * p->v[d][k];
+        sum += 0.5 * p->m[k] * square;
+    }
+    return sum;
+}
+
+double strain_energy(const Scene *scene, const Samples *q, Scratch *s)
+{
+    double sum = 0;
+    stored_energy(&scene->mat, q->n, q->F, s->w);
+    for (int k = 0; k < q->n; k++) sum += q->V0[k] > 0 ? q->V0[k] * s->w[k] : 0;
+    return sum;
+}
+
+double body_power(const Scene *scene, const Points *p, double t, Scratch *s)
+{
+    double sum = 0;
+    if (!scene->problem->body) return 0;
+    scene->problem->body(scene, p->n, p->X, t, s->v);
+    for (int d = 0; d < DIM; d++)
+        for (int k = 0; k < p->n; k++) sum += p->m[k] * s->v[d][k] * p->v[d][k];
+    return sum;
+}
+
+double momentum(const Points *p, Vec out)
+{
+    double sum = 0;
+    for (int d = 0; d < DIM; d++) out[d] = 0;
+    for (int k = 0; k < p->n; k++) {
+        double square = 0;
+        for (int d = 0; d < DIM; d++) {
+            out[d] += p->m[k] * p->v[d][k];
+            square += p->v[d][k] * p->v[d][k];
+        }
+        sum += p->m[k] * sqrt(square);
+    }
+    return sum;
+}

@@ -1,0 +1,34 @@
+/* norm.h: every error norm and the ledger of energy and momentum, the same for every solver. */
+#ifndef MPMLAB_NORM_H
+#define MPMLAB_NORM_H
+
+#include "points.h"
+#include "problem.h"
+
+/* max e, sqrt(sum w e^2 / sum w), sum w e / sum w over points with mass, w = V0, divided by the
+ * scene's scale (CONTRACT: error_*). */
+typedef struct Errors {
+    double linf, l2, l1;
+} Errors;
+
+/* Room for n points' worth of vectors, for the functions below. Owned by the run. */
+typedef struct Scratch {
+    int room;
+    double *v[DIM], *w;
+} Scratch;
+
+bool scratch_fit(Scratch *s, int n); /* false: out of memory */
+void scratch_free(Scratch *s);
+
+/* e = |x - X - u_exact(X, t)|, W11 eq 38. */
+Errors displacement_errors(const Scene *scene, const Points *p, double t, Scratch *s);
+
+/* e = |v_i - v(x_i)| / |v(x_i)| over nodes with mass inside the body, equal weights, W07 eq 3.1. */
+Errors projection_errors(const Scene *scene, const Nodes *n, Scratch *s);
+
+double kinetic_energy(const Points *p);                                   /* [J] */
+double strain_energy(const Scene *scene, const Samples *q, Scratch *s);   /* [J] */
+double body_power(const Scene *scene, const Points *p, double t, Scratch *s); /* [W] */
+double momentum(const Points *p, Vec out); /* [kg m/s]; returns sum of m |v| */
+
+#endif

@@ -1,0 +1,26 @@
+/* output.h: the files that one run leaves besides its row (CONTRACT: --history, --particles). */
+#ifndef MPMLAB_OUTPUT_H
+#define MPMLAB_OUTPUT_H
+
+#include <stdio.h>
+#include "run.h"
+
+/* One instant of a run. */
+typedef struct Moment {
+    double t;                       /* [s] */
+    double kinetic, strain, work;   /* [J] centred in time; work of body forces */
+    Vec momentum;                   /* [kg m/s] */
+    double error_linf, dt;
+} Moment;
+
+void history_header(FILE *out);
+void history_line(FILE *out, const Moment *m);
+
+/* All points in placement order. 0 or a fault (1: memory, disk). */
+int write_particles(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                    Fault *fault);
+
+/* Live nodes with their velocities: id,x,y,mass,vx,vy. */
+int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault);
+
+#endif

@@ -1,0 +1,95 @@
+/* place.c: see place.h. */
+#include <math.h>
+#include <stdlib.h>
+#include "place.h"
+
+static bool grow(double **array, int room)
+{
+    double *more = realloc(*array, sizeof(double) * (size_t)room);
+    if (more) *array = more;
+    return more != NULL;
+}
+
+static bool make_room(Layout *out)
+{
+    if (out->n < out->room) return true;
+    const int room = out->room ? 2 * out->room : 1024;
+    bool ok = grow(&out->volume, room);
+    for (int d = 0; d < DIM; d++) ok = ok && grow(&out->X[d], room) && grow(&out->normal[d], room);
+    if (ok) out->room = room;
+    return ok;
+}
+
+void layout_add(Layout *out, const Vec X, double volume, const double *normal)
+{
+    if (!make_room(out)) {
+        out->lost++;
+        return;
+    }
+    for (int d = 0; d < DIM; d++) {
+        out->X[d][out->n] = X[d];
+        out->normal[d][out->n] = normal ? normal[d] : 0;
+    }
+    out->volume[out->n++] = volume;
+}
+
+void layout_free(Layout *out)
+{
+    free(out->volume);
+    for (int d = 0; d < DIM; d++) free(out->X[d]), free(out->normal[d]);
+    *out = (Layout){0};
+}
+
+/* W07 fig 4: `count` particles of equal size fill the body from end to end. */
+static void place_evenly(Layout *out, const Scene *scene, int count)
+{
+    const double length = scene->body_hi[0] - scene->body_lo[0];
+    for (int k = 0; k < count; k++) {
+        Vec X = {scene->body_lo[0] + (k + 0.5) / count * length};
+        layout_add(out, X, length / count, NULL);
+    }
+}
+
+/* Lattice points (i + 1/2) s whose centres lie in the body, axis 0 fastest. */
+static void place_lattice(Layout *out, const Scene *scene, double s)
+{
+    long lo[DIM], n[DIM], total = 1;
+    double volume = 1;
+    for (int d = 0; d < DIM; d++) {
+        lo[d] = lround(floor(scene->body_lo[d] / s - 1));
+        n[d] = lround(ceil(scene->body_hi[d] / s + 1)) - lo[d];
+        total *= n[d];
+        volume *= s;
+    }
+    for (long k = 0; k < total && !out->lost; k++) {
+        Vec X;
+        bool in = true;
+        long rest = k;
+        for (int d = 0; d < DIM; d++) {
+            X[d] = ((double)(lo[d] + rest % n[d]) + 0.5) * s;
+            rest /= n[d];
+            in = in && X[d] > scene->body_lo[d] && X[d] < scene->body_hi[d];
+        }
+        if (in && (!scene->problem->inside || scene->problem->inside(scene, X)))
+            layout_add(out, X, volume, NULL);
+    }
+}
+
+int layout_make(Layout *out, const Scene *scene, double spacing, int count, bool fitted,
+                Fault *fault)
+{
+    const Problem *problem = scene->problem;
+    if (problem->place && problem->place(scene, spacing, fitted, out))
+        ;
+    else if (fitted)
+        return fault_set(fault, FAULT_USAGE, "layout=radial: %s has no body-fitted layout",
+                         problem->info.name);
+    else if (count > 0)
+        place_evenly(out, scene, count);
+    else
+        place_lattice(out, scene, spacing);
+    if (out->lost)
+        return fault_set(fault, FAULT_MACHINE, "out of memory placing more than %d particles",
+                         out->n);
+    return 0;
+}

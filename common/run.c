@@ -1,0 +1,327 @@
+/* run.c: see run.h. The time loop around a solver, with norms and ledger outside the clock.
+ *
+ * Velocities live half a step after positions, so the kinetic energy and the power of body forces at
+ * t_n are means of those before and after step n; the last instant takes one step more for that,
+ * whose result is thrown away. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include "norm.h"
+#include "output.h"
+#include "resolve.h"
+#include "table.h"
+
+/* A run under way. */
+typedef struct Loop {
+    const Plan *plan;
+    void *self;
+    Scratch scratch;
+    FILE *history;
+    double dt;
+    long n, done;                /* steps planned and finished */
+    double cpu, wall;            /* [s] inside the solver's step */
+    Errors worst;                /* running maxima */
+    double start, now, largest;  /* K + S - W at the start and now, largest K + S */
+    double work, power;          /* [J] and [W] at the last instant */
+    Vec p0;
+    double drift, momentum;      /* largest |p - p0 - impulse|, largest sum m |v| */
+    Status status;
+    double failed_at;            /* [s] */
+    long growth_step;            /* first step with too much energy, or -1 */
+    Moment last;                 /* what is known of the last instant */
+} Loop;
+
+static double seconds(clockid_t clock)
+{
+    struct timespec t;
+    clock_gettime(clock, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* What is known on one side of a step. */
+typedef struct Side {
+    double kinetic, power, mv;
+    Vec p;
+} Side;
+
+static Side look(Loop *l, double t)
+{
+    Points p;
+    Samples q;
+    Side s;
+    l->plan->solver->view(l->self, &p, &q);
+    s.kinetic = kinetic_energy(&p);
+    s.power = body_power(&l->plan->scene, &p, t, &l->scratch);
+    s.mv = momentum(&p, s.p);
+    return s;
+}
+
+static double strain_now(Loop *l)
+{
+    Points p;
+    Samples q;
+    l->plan->solver->view(l->self, &p, &q);
+    return strain_energy(&l->plan->scene, &q, &l->scratch);
+}
+
+static Errors errors_now(Loop *l, double t)
+{
+    Points p;
+    Samples q;
+    if (!l->plan->scene.problem->exact) return (Errors){NAN, NAN, NAN};
+    l->plan->solver->view(l->self, &p, &q);
+    return displacement_errors(&l->plan->scene, &p, t, &l->scratch);
+}
+
+static double larger(double a, double b)
+{
+    return a >= b || isnan(b) ? a : b;
+}
+
+/* Books the instant t_k: energies centred in time, work by the trapezoidal rule. */
+static void book_energy(Loop *l, Moment *m, double power)
+{
+    if (m->t > 0) l->work += 0.5 * l->dt * (l->power + power);
+    l->power = power;
+    m->work = l->work;
+    const double stored = m->kinetic + m->strain;
+    l->now = stored - l->work;
+    if (!(m->t > 0)) l->start = l->now;
+    l->largest = larger(l->largest, stored);
+    if (l->growth_step < 0 && l->done > 0 && l->now - l->start > 0.05 * l->largest)
+        l->growth_step = l->done;
+    if (l->history) history_line(l->history, m);
+}
+
+static void book_momentum(Loop *l, const Side *after)
+{
+    Vec impulse;
+    double square = 0;
+    l->plan->solver->impulse(l->self, impulse);
+    for (int d = 0; d < DIM; d++) square += pow(after->p[d] - l->p0[d] - impulse[d], 2);
+    l->drift = larger(l->drift, sqrt(square));
+    l->momentum = larger(l->momentum, after->mv);
+}
+
+static void take_step(Loop *l, double t)
+{
+    const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+    l->status = l->plan->solver->step(l->self, t, l->dt, l->done == 0);
+    l->cpu += seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+    l->wall += seconds(CLOCK_MONOTONIC) - wall;
+}
+
+static void book_errors(Loop *l, Errors e)
+{
+    l->worst.linf = larger(l->worst.linf, e.linf);
+    l->worst.l2 = larger(l->worst.l2, e.l2);
+    l->worst.l1 = larger(l->worst.l1, e.l1);
+}
+
+static bool grown(const Loop *l)
+{
+    return l->plan->stop_growth && l->growth_step >= 0;
+}
+
+/* Instants 0 .. n; instant k needs step k to know its kinetic energy. */
+static void run_steps(Loop *l)
+{
+    Side before = look(l, 0);
+    memcpy(l->p0, before.p, sizeof l->p0);
+    l->momentum = before.mv;
+    Moment m = {.dt = l->dt, .strain = strain_now(l), .error_linf = errors_now(l, 0).linf};
+    for (; l->done < l->n && !grown(l); l->done++) {
+        const double t = (double)l->done * l->dt;
+        const double power_before = look(l, t).power;
+        take_step(l, t);
+        if (l->status.code != OK) {
+            l->failed_at = t + l->dt;
+            return;
+        }
+        const Side after = look(l, t);
+        const double w = l->done > 0 ? 0.5 : 0; /* the first instant is not between two halves */
+        m.t = t;
+        m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
+        for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
+        book_energy(l, &m, (1 - w) * power_before + w * after.power);
+        book_momentum(l, &after);
+        const Errors e = errors_now(l, t + l->dt);
+        book_errors(l, e);
+        m.error_linf = e.linf;
+        m.strain = strain_now(l);
+        before = after;
+    }
+    m.t = (double)l->done * l->dt; /* the last instant waits for last_instant */
+    m.kinetic = before.kinetic;
+    memcpy(m.momentum, before.p, sizeof m.momentum);
+    l->last = m;
+}
+
+/* The instant after the last step, by a step beyond it. */
+static void last_instant(Loop *l)
+{
+    Moment m = l->last;
+    const double t = m.t, before = look(l, t).power;
+    const Status status = l->done > 0 ? l->plan->solver->step(l->self, t, l->dt, false)
+                                      : (Status){EMPTY, -1, 0};
+    const double w = status.code == OK ? 0.5 : 0;
+    const Side after = look(l, t);
+    m.kinetic = (1 - w) * m.kinetic + w * after.kinetic;
+    for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * m.momentum[d] + w * after.p[d];
+    book_energy(l, &m, (1 - w) * before + w * after.power);
+}
+
+static const char *const status_names[] = {"ok",       "left_grid", "inverted",     "nan",
+                                           "singular", "empty",     "energy_growth"};
+
+static void say_status(const Loop *l, Row *row)
+{
+    const bool grew = l->status.code == OK && l->growth_step >= 0;
+    strcpy(row->status, status_names[grew ? ENERGY_GROWTH : l->status.code]);
+    if (grew)
+        snprintf(row->reason, sizeof row->reason, "step %ld t=%.6g energy 5 %% above its start",
+                 l->growth_step, (double)l->growth_step * l->dt);
+    else if (l->status.code == EMPTY)
+        strcpy(row->reason, "no particle lies inside the body");
+    else if (l->status.code != OK)
+        snprintf(row->reason, sizeof row->reason, "step %ld t=%.6g %s %d %s=%.6g", l->done + 1,
+                 l->failed_at, l->plan->setup.method ? "particle" : "element", l->status.point,
+                 l->status.code == INVERTED ? "J" : "x", l->status.value);
+}
+
+static double known(double count)
+{
+    return count >= 0 ? count : NAN;
+}
+
+static void fill_inputs(const RunSpec *spec, const Plan *plan, Row *row)
+{
+    strcpy(row->problem, spec->problem);
+    strcpy(row->method, spec->method);
+    strcpy(row->integrator, spec->integrator);
+    strcpy(row->layout, plan->setup.fitted ? "radial" : "cartesian");
+    memcpy(row->params, plan->params, sizeof row->params);
+    row->cells = spec->cells;
+    row->h = 1 / spec->cells;
+    row->cfl = spec->cfl > 0 ? spec->cfl : NAN;
+    row->t_end = plan->t_end;
+}
+
+static void fill_counts(const Loop *l, Row *row)
+{
+    Counts c;
+    l->plan->solver->counts(l->self, &c);
+    row->ppc = c.ppc;
+    row->particles = c.particles;
+    row->surface_particles = c.surface;
+    row->nodes = known((double)c.nodes);
+    row->elements = known(c.elements);
+    row->fallbacks = known((double)c.fallbacks);
+}
+
+static void fill_results(const Loop *l, Row *row)
+{
+    const Problem *problem = l->plan->scene.problem;
+    row->steps = (double)l->done;
+    if (problem->exact) {
+        row->error_linf = l->worst.linf;
+        row->error_l2 = l->worst.l2;
+        row->error_l1 = l->worst.l1;
+    }
+    row->cpu_s = l->cpu;
+    row->wall_s = l->wall;
+    say_status(l, row);
+    if (problem->projection) return;
+    row->dt = l->dt;
+    row->energy_drift = (l->now - l->start) / l->largest;
+    row->momentum_drift = l->momentum > 0 ? l->drift / l->momentum : NAN;
+    if (l->done > 0) row->ns_per_particle_step = 1e9 * l->cpu / (row->particles * row->steps);
+}
+
+static void choose_dt(Loop *l)
+{
+    const Plan *plan = l->plan;
+    const double unit = plan->solver->unit_dt ? plan->solver->unit_dt(l->self)
+                                              : plan->scene.cell / plan->scene.c;
+    const double n = fmax(ceil(plan->t_end / (plan->cfl * unit) - 1e-9), 1);
+    l->dt = plan->t_end / n;
+    l->n = plan->steps > 0 && (double)plan->steps < n ? plan->steps : (long)n;
+}
+
+static int project(Loop *l, Fault *fault)
+{
+    Nodes nodes;
+    const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+    if (!l->plan->solver->project)
+        return fault_set(fault, FAULT_USAGE, "--method: got '%s', which projects nothing onto a grid",
+                         l->plan->method->name);
+    l->status = l->plan->solver->project(l->self);
+    l->cpu = seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+    l->wall = seconds(CLOCK_MONOTONIC) - wall;
+    if (l->status.code != OK) return 0;
+    l->plan->solver->nodes(l->self, &nodes);
+    if (!scratch_fit(&l->scratch, nodes.n))
+        return fault_set(fault, FAULT_MACHINE, "out of memory");
+    l->worst = projection_errors(&l->plan->scene, &nodes, &l->scratch);
+    return 0;
+}
+
+/* The files of the run's end; nodes hold the velocities of the last projection. */
+static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
+{
+    const Solver *solver = l->plan->solver;
+    int code = 0;
+    if (spec->particles)
+        code = write_particles(spec->particles, &l->plan->scene, solver, l->self, fault);
+    if (!code && spec->nodes) code = write_nodes(spec->nodes, solver, l->self, fault);
+    return code;
+}
+
+/* Room for every slot that particles may come to need. */
+static bool fit_scratch(Loop *l)
+{
+    Points p;
+    Samples q;
+    l->plan->solver->view(l->self, &p, &q);
+    const int n = p.n > q.n ? p.n : q.n;
+    return scratch_fit(&l->scratch, n + CHUNK + n / 2 + 64 * CHUNK);
+}
+
+static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
+{
+    int code = 0;
+    if (l->plan->scene.problem->projection)
+        code = project(l, fault);
+    else {
+        choose_dt(l);
+        if (!fit_scratch(l)) return fault_set(fault, FAULT_MACHINE, "out of memory");
+        run_steps(l);
+    }
+    if (!code) code = write_files(spec, l, fault);
+    if (code) return code;
+    fill_counts(l, row);
+    if (!l->plan->scene.problem->projection && l->status.code == OK) last_instant(l);
+    fill_results(l, row);
+    return 0;
+}
+
+int run_spec(const RunSpec *spec, Row *row, Fault *fault)
+{
+    RunSpec own = *spec;
+    Plan plan;
+    Loop l = {.plan = &plan, .growth_step = -1};
+    int code = plan_make(&own, &plan, fault);
+    if (code) return code;
+    *row = row_empty();
+    fill_inputs(&own, &plan, row);
+    if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
+    if (l.history) history_header(l.history);
+    l.self = plan.solver->make(&plan.setup, fault);
+    code = l.self ? run_plan(&own, &l, row, fault) : fault->code;
+    if (l.self) plan.solver->free(l.self);
+    scratch_free(&l.scratch);
+    if (l.history && code) file_abandon(l.history, spec->history);
+    if (l.history && !code) code = file_commit(l.history, spec->history, fault);
+    return code;
+}

@@ -1,0 +1,249 @@
+/* sim.c: see sim.h. Everything a run needs is allocated here, once. */
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <unistd.h>
+#include "place.h"
+#include "sim.h"
+
+/* How far half widths may grow before they are capped: stretch 4, or one cell and a half. */
+static double widest_half(double half)
+{
+    return fmin(fmax(1.5, 4 * half), (MAX_WIDTH - 5) / 2.0);
+}
+
+static bool field_used(const Setup *s, int field)
+{
+    if (field >= AT_U) return s->integrator == MUSL;
+    if (field >= AT_L) return s->method->keeps_L || s->refresh;
+    return true;
+}
+
+static void *get(size_t n, size_t size)
+{
+    void *memory = NULL;
+    if (posix_memalign(&memory, 64, (n + 1) * size)) return NULL;
+    return memory;
+}
+
+/* Grid nodes start as untouched zero pages: only live spans ever cost memory. */
+static bool grid_alloc(Sim *sim)
+{
+    Grid *g = &sim->g;
+    const Setup *s = sim->setup;
+    const size_t n = (size_t)g->rows * (size_t)g->n[0];
+    int longest = 0;
+    bool ok = true;
+    for (int d = 0; d < DIM; d++) {
+        longest = g->n[d] > longest ? g->n[d] : longest;
+        ok = (g->hold[d] = calloc((size_t)g->n[d], 1)) && ok;
+    }
+    ok = (g->node = get(n, sizeof(Line))) && ok;
+    ok = (g->lo = get((size_t)g->rows, sizeof(int))) && ok;
+    ok = (g->hi = get((size_t)g->rows, sizeof(int))) && ok;
+    ok = (g->live = calloc((size_t)g->rows, sizeof(int))) && ok;
+    ok = (g->impulse = calloc((size_t)g->rows, sizeof(Vec))) && ok;
+    ok = (g->count = get((size_t)longest + 1, sizeof(int))) && ok;
+    if (s->scene->problem->body) ok = (g->force = get(n * DIM, sizeof(double))) && ok;
+    if (s->snapshot_nodes) ok = (g->mass = calloc(n, sizeof(double))) && ok;
+    return ok;
+}
+
+/* Slots: every block of rows may need up to a chunk of padding. */
+static bool particles_alloc(Sim *sim)
+{
+    Particles *p = &sim->p;
+    const int blocks = sim->g.n[DIM - 1] / 8 + 2;
+    p->room = (p->count + blocks * CHUNK + CHUNK - 1) / CHUNK * CHUNK;
+    const size_t room = (size_t)p->room;
+    bool ok = (sim->block = calloc((size_t)blocks, sizeof(Block))) != NULL;
+    for (int f = 0; f < FIELDS; f++)
+        if (field_used(sim->setup, f)) ok = (p->field[f] = get(room, sizeof(double))) && ok;
+    ok = (p->spare = get(room, sizeof(double))) && ok;
+    ok = (p->id = get(room, sizeof(int))) && ok;
+    ok = (p->order = get(room, sizeof(int))) && ok;
+    ok = (p->source = get(room, sizeof(int))) && ok;
+    ok = (p->key = get(room, sizeof(int))) && ok;
+    return ok;
+}
+
+/* Bytes that a scene will need, before anything is allocated; doubles, so that nothing overflows. */
+static double bytes_needed(const Sim *sim, double particles)
+{
+    const Scene *scene = sim->setup->scene;
+    double nodes = 1, fields = 4;
+    for (int d = 0; d < DIM; d++) nodes *= (scene->hi[d] - scene->lo[d]) * sim->g.cells + 8;
+    for (int f = 0; f < FIELDS; f++) fields += field_used(sim->setup, f);
+    return nodes * (sizeof(Line) + 8.0 * DIM * (scene->problem->body != NULL)) +
+           particles * 8 * (fields + 2 * DIM + 1);
+}
+
+static double body_volume(const Scene *scene)
+{
+    double volume = 1;
+    for (int d = 0; d < DIM; d++) volume *= scene->body_hi[d] - scene->body_lo[d];
+    return volume;
+}
+
+/* A scene that cannot fit is refused before any memory is taken. */
+static int check_size(const Sim *sim, Fault *fault)
+{
+    const Setup *s = sim->setup;
+    const double particles = body_volume(s->scene) * pow(s->cells, DIM) * s->ppc;
+    const double need = bytes_needed(sim, particles);
+    const double have = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+    if (need < have && particles < INT_MAX / 2) return 0;
+    return fault_set(fault, FAULT_MACHINE,
+                     "%s with %d cells and ppc %g needs %.3g GB of memory, this machine has %.3g GB",
+                     s->scene->problem->info.name, s->cells, s->ppc, need / 1e9, have / 1e9);
+}
+
+static void make_grid(Sim *sim)
+{
+    Grid *g = &sim->g;
+    const Scene *scene = sim->setup->scene;
+    const int ghosts = sim->setup->method->width(sim->half_max) / 2 + 4;
+    g->rows = 1;
+    for (int d = 0; d < DIM; d++) {
+        g->origin[d] = (int)floor(scene->lo[d] * g->cells + 1e-9) - ghosts;
+        g->n[d] = (int)ceil(scene->hi[d] * g->cells - 1e-9) + ghosts + 1 - g->origin[d];
+        if (d > 0) g->rows *= g->n[d];
+    }
+}
+
+/* Walls as data of the grid: what is held at each index, and mirror lines by axis. */
+static void set_walls(Sim *sim)
+{
+    Grid *g = &sim->g;
+    const Scene *scene = sim->setup->scene;
+    for (int d = 0; d < DIM; d++)
+        for (int k = 0; k < scene->nwall; k++) {
+            const Wall *w = &scene->wall[k];
+            const int at = (int)lround(w->at * g->cells) - g->origin[d];
+            if (w->axis != d) continue;
+            if (w->mirror) g->mirror[g->nmirror++] = (Mirror){d, at, w->side};
+            for (int i = 0; i < g->n[d] && !w->mirror; i++)
+                if (w->side * (i - at) >= 0) g->hold[d][i] |= (unsigned char)w->hold;
+        }
+}
+
+static void fill_particles(Sim *sim, const Layout *layout)
+{
+    Particles *p = &sim->p;
+    const Scene *scene = sim->setup->scene;
+    int n = 0;
+    for (int k = 0; k < layout->n; k++) {
+        if (!(layout->volume[k] > 0)) continue;
+        for (int d = 0; d < DIM; d++) p->field[AT_X0 + d][n] = layout->X[d][k];
+        p->field[AT_VOL][n] = layout->volume[k];
+        p->field[AT_M][n] = layout->volume[k] * scene->mat.rho;
+        p->id[n] = n;
+        n++;
+    }
+    p->n = n;
+    sim->mass_cut = 1e-12 * scene->mat.rho * body_volume(scene) / n;
+}
+
+/* Initial state: x = X + u, and v, F, L as the scene says. */
+static bool start_particles(Sim *sim)
+{
+    Particles *p = &sim->p;
+    const Scene *scene = sim->setup->scene;
+    const size_t room = (size_t)p->room;
+    double *L = calloc(room * NMAT, sizeof(double)), *l[NMAT];
+    if (!L) return false;
+    for (int k = 0; k < NMAT; k++) {
+        l[k] = p->field[AT_L + k] ? p->field[AT_L + k] : L + (size_t)k * room;
+        for (int s = 0; s < p->n; s++)
+            l[k][s] = 0, p->field[AT_F + k][s] = k % (DIM + 1) == 0;
+    }
+    for (int d = 0; d < DIM; d++)
+        for (int s = 0; s < p->n; s++) p->field[AT_X + d][s] = p->field[AT_V + d][s] = 0;
+    if (scene->problem->start)
+        scene->problem->start(scene, p->n, (const double *const *)(p->field + AT_X0),
+                              p->field + AT_X, p->field + AT_V, p->field + AT_F, l);
+    for (int d = 0; d < DIM; d++)
+        for (int s = 0; s < p->n; s++) p->field[AT_X + d][s] += p->field[AT_X0 + d][s];
+    free(L);
+    return true;
+}
+
+/* Widest half width now [cells], for the first plan. */
+static double widest_now(const Sim *sim)
+{
+    double most = 0;
+    for (int d = 0; d < DIM; d++)
+        for (int s = 0; s < sim->p.n; s++)
+            most = fmax(most, sim->half * fabs(sim->p.field[AT_F + d * (DIM + 1)][s]));
+    return fmin(most, sim->half_max);
+}
+
+static int build(Sim *sim, Layout *layout, Fault *fault)
+{
+    const Setup *s = sim->setup;
+    const double per_axis = pow(s->ppc, 1.0 / DIM);
+    sim->g.cells = s->cells;
+    sim->dx = 1.0 / s->cells;
+    sim->half = 0.5 / per_axis;
+    sim->half_max = widest_half(sim->half);
+    if (check_size(sim, fault)) return -1;
+    if (layout_make(layout, s->scene, sim->dx / per_axis, s->count, s->fitted, fault)) return -1;
+    for (int k = 0; k < layout->n; k++) {
+        sim->p.count += layout->volume[k] > 0;
+        sim->surface += s->method->surface && !(layout->volume[k] > 0);
+    }
+    make_grid(sim);
+    if (!grid_alloc(sim) || !particles_alloc(sim))
+        return fault_set(fault, FAULT_MACHINE, "out of memory for %d particles", sim->p.count);
+    set_walls(sim);
+    fill_particles(sim, layout);
+    if (!start_particles(sim)) return fault_set(fault, FAULT_MACHINE, "out of memory");
+    sim->half_now = widest_now(sim);
+    sim->travel = INFINITY; /* not sorted yet */
+    return 0;
+}
+
+Sim *sim_new(const Setup *setup, Fault *fault)
+{
+    Sim *sim = calloc(1, sizeof *sim);
+    Layout layout = {0};
+    if (!sim) {
+        fault_set(fault, FAULT_MACHINE, "out of memory");
+        return NULL;
+    }
+    sim->setup = setup;
+    const int bad = build(sim, &layout, fault);
+    layout_free(&layout);
+    if (!bad) return sim;
+    sim_free(sim);
+    return NULL;
+}
+
+void sim_free(Sim *sim)
+{
+    if (!sim) return;
+    Grid *g = &sim->g;
+    Particles *p = &sim->p;
+    for (int d = 0; d < DIM; d++) free(g->hold[d]);
+    free(g->node), free(g->lo), free(g->hi), free(g->live), free(g->impulse), free(g->count);
+    free(g->force), free(g->mass), free(sim->block);
+    for (int f = 0; f < FIELDS; f++) free(p->field[f]);
+    free(p->spare), free(p->id), free(p->order), free(p->source), free(p->key);
+    free(sim);
+}
+
+bool sim_is_valid(const Sim *sim)
+{
+    const Particles *p = &sim->p;
+    int real = 0;
+    if (p->n % CHUNK || p->n > p->room) return false;
+    for (int k = 0; k < p->n; k++) {
+        real += p->id[k] >= 0;
+        if (p->id[k] < 0 && p->field[AT_M][k] > 0) return false;
+    }
+    for (int b = 1; b < sim->nblock; b++)
+        if (sim->block[b].first != sim->block[b - 1].last) return false;
+    for (int r = 0; r < sim->g.rows; r++)
+        if (sim->g.hi[r] > sim->g.n[0] || (sim->g.hi[r] > 0 && sim->g.lo[r] < 0)) return false;
+    return real == p->count;
+}

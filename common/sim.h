@@ -1,0 +1,118 @@
+/* sim.h: the particles and the grid of one run. Layout and bounds: see scheme.h.
+ *
+ * Particles are arrays per component, sorted by grid cell (rows last), in chunks of 64 that never
+ * span two blocks of rows; a block is filled up with massless copies (id -1). Nodes are lines of
+ * LANES doubles; only the live span of each row is ever touched. */
+#ifndef MPMLAB_SIM_H
+#define MPMLAB_SIM_H
+
+#include <stddef.h>
+#include "method.h"
+#include "run.h"
+
+/* Particle fields; each is an array over slots, or NULL where the run does not need it. */
+enum {
+    AT_X0 = 0,                 /* reference position [m], DIM of them */
+    AT_X = AT_X0 + DIM,        /* position [m] */
+    AT_V = AT_X + DIM,         /* velocity [m/s] */
+    AT_F = AT_V + DIM,         /* deformation gradient [-], NMAT of them */
+    AT_M = AT_F + NMAT,        /* mass [kg] */
+    AT_VOL = AT_M + 1,         /* reference volume [m^DIM] */
+    AT_L = AT_VOL + 1,         /* velocity gradient [1/s], NMAT: if the method keeps it */
+    AT_U = AT_L + NMAT,        /* displacement of this step [m], DIM: if the integrator keeps it */
+    FIELDS = AT_U + DIM
+};
+
+typedef struct Particles {
+    int count;            /* real ones */
+    int n, room;          /* slots in use and allocated, multiples of CHUNK */
+    double *field[FIELDS];
+    double *spare;        /* [room] for sorting */
+    int *id;              /* [room] placement order; -1: padding */
+    int *order, *source, *key; /* [room] for sorting */
+} Particles;
+
+/* Chunks [first, last) of one block of grid rows. Blocks of equal parity never touch a common node. */
+typedef struct Block {
+    int first, last;
+} Block;
+
+/* A symmetry line: index `at` of `axis`; ghosts lie on `side` (-1 or +1). */
+typedef struct Mirror {
+    int axis, at, side;
+} Mirror;
+
+typedef struct Grid {
+    int cells;                 /* per unit length; h = 1/cells [m] */
+    int origin[DIM];           /* node index 0 lies at x = origin/cells */
+    int n[DIM];                /* nodes per axis, ghosts included */
+    int rows;                  /* n[1] n[2] ...: lines of nodes along axis 0 */
+    Line *node;                /* [rows * n[0]] lanes: dim.h */
+    double *force;             /* [rows * n[0]][DIM] body force [N], or NULL */
+    double *mass;              /* [rows * n[0]] copy for who looks at nodes, or NULL */
+    unsigned char *hold[DIM];  /* [n[d]] bit a: component a is held at this index of axis d */
+    Mirror mirror[2 * DIM];    /* by axis */
+    int nmirror;
+    int *lo, *hi;              /* [rows] live span: nodes lo <= i < hi of each row */
+    int *count;                /* [longest axis + 1] for sorting */
+    Vec *impulse;              /* [rows] [kg m/s] momentum ledger of this step */
+    int *live;                 /* [rows] nodes with mass */
+} Grid;
+
+typedef struct Sim {
+    const Setup *setup;
+    Particles p;
+    Grid g;
+    Block *block;
+    int nblock, block_rows;
+    double ppc;        /* particles per cell, as placed */
+    double half;       /* l0/h: half width of an undeformed particle in cells */
+    double half_max;   /* widest half width that the stencils allow for, in cells */
+    double half_plan;  /* the one that the current order and spans were made for */
+    double half_now;   /* widest now */
+    double travel;     /* farthest any particle may have moved since the last sort, in cells */
+    double mass_cut;   /* nodes with less are empty [kg] */
+    long nodes;        /* most live nodes so far */
+    Vec impulse;       /* [kg m/s] given by body forces and walls so far */
+    double dx;         /* 1/cells [m] */
+    int surface;       /* surface particles, if the method has any */
+} Sim;
+
+/* Places and allocates everything; NULL and a fault (2: parameters, 1: memory, before it is taken). */
+Sim *sim_new(const Setup *setup, Fault *fault);
+void sim_free(Sim *sim);
+
+/* Are order, spans and sizes consistent? For assertions and tests. */
+bool sim_is_valid(const Sim *sim);
+
+/* Sorts particles by cell, rebuilds blocks, padding and live spans; sort.c. */
+void sim_sort(Sim *sim);
+
+/* Symmetry: ghosts beyond each mirror line are added to their images (fold, after a deposit; body
+ * force too) and filled from them (unfold, before a gather); mirror.c. All by parity per component,
+ * so that no method knows of it. unfold also books what the ghosts' share of momentum received. */
+void grid_fold(Sim *sim);
+void grid_unfold(Sim *sim, double dt);
+void grid_mirror_spans(Grid *g);
+bool grid_is_ghost_row(const Grid *g, int row, int above); /* of a mirror across an axis > above */
+
+/* The view of chunk k that a method's stages work on. */
+static inline Chunk sim_chunk(const Sim *sim, int k)
+{
+    const Particles *p = &sim->p;
+    const size_t at = (size_t)k * CHUNK;
+    Chunk c = {.m = p->field[AT_M] + at, .V0 = p->field[AT_VOL] + at, .id = p->id + at};
+    for (int d = 0; d < DIM; d++) {
+        c.X[d] = p->field[AT_X0 + d] + at;
+        c.x[d] = p->field[AT_X + d] + at;
+        c.v[d] = p->field[AT_V + d] + at;
+        c.u[d] = p->field[AT_U + d] ? p->field[AT_U + d] + at : NULL;
+    }
+    for (int k2 = 0; k2 < NMAT; k2++) {
+        c.F[k2] = p->field[AT_F + k2] + at;
+        c.L[k2] = p->field[AT_L + k2] ? p->field[AT_L + k2] + at : NULL;
+    }
+    return c;
+}
+
+#endif

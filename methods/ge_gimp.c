@@ -1,0 +1,20 @@
+/* ge_gimp.c: gradient-enhanced projection on GIMP functions (W07 section 4). */
+#include "shapes.h"
+#include "transfers.h"
+
+const Method method_ge_gimp = {
+    .info = {.name = "ge_gimp",
+             .label = "GE-GIMP",
+             .about = "GIMP with the gradient-enhanced projection: exact for linear fields",
+             .source = "W07 eqs 4.1-4.3"},
+    .valid = 1u << CD | 1u << USL,
+    .valid_fresh = 1u << UVF | 1u << MUSL,
+    .integrator = {[1] = CD, [2] = CD, [3] = CD},
+    .keeps_L = true,
+    .affine = true,
+    .linear_exact = true,
+    .width = gimp_width,
+    .shape = gimp_shape,
+    .payload = gradient_payload,
+    .update = flip_update,
+};

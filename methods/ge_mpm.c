@@ -1,0 +1,20 @@
+/* ge_mpm.c: gradient-enhanced projection on tents (W07 section 4): published, and unstable. */
+#include "shapes.h"
+#include "transfers.h"
+
+const Method method_ge_mpm = {
+    .info = {.name = "ge_mpm",
+             .label = "GE-MPM",
+             .about = "MPM with the gradient-enhanced projection; tents give it poor gradients",
+             .source = "W07 eqs 4.1-4.3"},
+    .valid = 1u << CD | 1u << USL,
+    .valid_fresh = 1u << UVF | 1u << MUSL,
+    .integrator = {[1] = CD, [2] = CD, [3] = CD},
+    .keeps_L = true,
+    .affine = true,
+    .linear_exact = true,
+    .width = tent_width,
+    .shape = tent_shape,
+    .payload = gradient_payload,
+    .update = flip_update,
+};

@@ -1,0 +1,17 @@
+/* mpm.c: the material point method: tent functions, mass-weighted projection (W07 eq 2.1).
+ * In 2D its default is the velocity-first scheme: central difference with tents is fragile there. */
+#include "shapes.h"
+#include "transfers.h"
+
+const Method method_mpm = {
+    .info = {.name = "mpm",
+             .label = "MPM",
+             .about = "tent functions, mass-weighted projection, FLIP update",
+             .source = "Sulsky, Chen & Schreyer 1994; W07 eq 2.1"},
+    .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
+    .integrator = {[1] = CD, [2] = UVF, [3] = UVF},
+    .width = tent_width,
+    .shape = tent_shape,
+    .payload = mass_payload,
+    .update = flip_update,
+};

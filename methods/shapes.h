@@ -1,0 +1,79 @@
+/* shapes.h: how a particle sees the nodes of one axis: tent and GIMP.
+ *
+ * All lengths in cells: x position, b = l/h half width, r = x - x_i. W07 section 2; Bardenhagen & Kober
+ * 2004. GIMP is the exact convolution of the tent with a top hat of half width b, for any b:
+ *   S(r) = (I(r + b) - I(r - b)) / 2b,  I(z) = z - z|z|/2 within |z| < 1, +-1/2 beyond,
+ *   G(r) = (T(r + b) - T(r - b)) / 2b,  T the tent. */
+#ifndef MPMLAB_SHAPES_H
+#define MPMLAB_SHAPES_H
+
+#include <math.h>
+#include "../common/method.h"
+
+static inline int tent_width(double b)
+{
+    (void)b;
+    return 2;
+}
+
+/* The cell is chosen by floor(x), never by the sign of r, so that a particle on a node has one. */
+static inline void tent_shape(int width, const Field x, const Field b, Stencil *out)
+{
+    (void)width, (void)b;
+    for (int p = 0; p < CHUNK; p++) {
+        double c = floor(x[p]), f = x[p] - c;
+        out->base[p] = (int)c;
+        out->S[0][p] = 1 - f, out->S[1][p] = f;
+        out->G[0][p] = -1, out->G[1][p] = 1;
+    }
+}
+
+/* Nodes |k - r| < 1 + b about the nearest node, |r| <= 1/2. */
+static inline int gimp_width(double b)
+{
+    return b <= 0.5 ? 3 : 2 * ((int)ceil(1.5 + b) - 1) + 1;
+}
+
+/* b <= 1/2, free of branches: a is r cut off at +-b. */
+static inline void gimp_shape_3(const Field x, const Field b, Stencil *out)
+{
+    for (int p = 0; p < CHUNK; p++) {
+        double c = floor(x[p] + 0.5), r = x[p] - c;
+        double a = fmin(fmax(r, -b[p]), b[p]), q = 0.25 / b[p];
+        double up = (b[p] + a) * (b[p] + a) * q + (r > a ? r - a : 0);
+        double down = (b[p] - a) * (b[p] - a) * q + (a > r ? a - r : 0);
+        out->base[p] = (int)c - 1;
+        out->S[0][p] = down, out->S[1][p] = 1 - up - down, out->S[2][p] = up;
+        out->G[0][p] = -2 * q * (b[p] - a);
+        out->G[1][p] = -4 * q * a;
+        out->G[2][p] = 2 * q * (b[p] + a);
+    }
+}
+
+static inline double tent_integral(double z)
+{
+    double c = fmin(fmax(z, -1), 1);
+    return c - 0.5 * c * fabs(c);
+}
+
+static inline double tent(double z)
+{
+    return fmax(1 - fabs(z), 0);
+}
+
+static inline void gimp_shape(int width, const Field x, const Field b, Stencil *out)
+{
+    if (width == 3) {
+        gimp_shape_3(x, b, out);
+        return;
+    }
+    for (int p = 0; p < CHUNK; p++) out->base[p] = (int)floor(x[p] + 0.5) - width / 2;
+    for (int k = 0; k < width; k++)
+        for (int p = 0; p < CHUNK; p++) {
+            double r = x[p] - (out->base[p] + k), q = 0.5 / b[p];
+            out->S[k][p] = q * (tent_integral(r + b[p]) - tent_integral(r - b[p]));
+            out->G[k][p] = q * (tent(r + b[p]) - tent(r - b[p]));
+        }
+}
+
+#endif
