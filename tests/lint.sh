@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# lint.sh: the conventions of the code, checked: format, include rules, lengths, warnings of both compilers.
+# Prints what is wrong; a tool that is not installed is SKIPPED. BUILD names a folder for objects.
+set -u
+BUILD=${BUILD:-build/lint}
+wrong=0
+complain() {
+    echo "lint: $*"
+    wrong=1
+}
+have() {
+    command -v "$1" >/dev/null && return
+    echo "SKIPPED $1"
+    return 1
+}
+# refuse ROOM REASON REGEX: no file of the room may include what the regex matches.
+refuse() {
+    local found
+    found=$(grep -nE "^#include +[\"<]($3)[\">]" "$1"/*.[ch] 2>/dev/null) && complain "$2"$'\n'"$found"
+}
+
+mapfile -t sources < <(ls ./*/*.c ./*/*.h)
+have clang-format && { clang-format --dry-run -Werror "${sources[@]}" || complain "format"; }
+have cppcheck && for dim in 1 2; do
+    cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
+        --suppress=unknownMacro --suppress=missingInclude --suppress=ctunullpointer \
+        --error-exitcode=1 -DDIM=$dim -j "$(nproc)" common methods problems fem_ref studies tests ||
+        complain "cppcheck, DIM=$dim"
+done
+
+# Include rules: who may see whom.
+refuse common "common/ knows no method, problem or fem" '.*(methods|problems|fem_ref|studies)/.*'
+refuse methods "methods/ knows common/ only, no problem, no other method's .c" \
+    '.*(problems|fem_ref|studies)/.*|.*problem\.h|.*\.c'
+refuse problems "problems/ sees no Sim, no method" \
+    '.*(methods|fem_ref|studies)/.*|.*(sim|scheme|method|step)\.h'
+refuse fem_ref "fem_ref/ shares no loop with methods/" '.*(methods|studies)/.*|.*(sim|scheme)\.h'
+
+found=$(grep -rnE '#\s*(el)?if.*\bDIM\b' --include='*.[ch]' . | grep -v '^./common/dim\.h') &&
+    complain "#if DIM outside common/dim.h"$'\n'"$found"
+found=$(grep -nE 'str(n)?cmp *\([^;]*"(mpm|gimp|ge_mpm|ge_gimp|wls|wls2|ge_wls|fem)"' \
+    common/*.[ch] problems/*.[ch] studies/*.[ch]) && complain "branches on a method's name"$'\n'"$found"
+
+# Lengths: a function starts at a line in column 0 and ends at a brace in column 0.
+for file in "${sources[@]}"; do
+    awk -v file="$file" '
+        /^[{]/ || (/^[a-zA-Z_].*[)] *[{]$/) { start = FNR }
+        /^}/ && start { if (FNR - start + 1 > 70) print file ":" start ": " FNR - start + 1 " lines"; start = 0 }
+        length($0) > 100 { print file ":" FNR ": wider than 100 columns" }
+        END { if (FNR > 300) print file ": " FNR " lines" }' "$file"
+done | grep . && complain "too long"
+
+for compiler in gcc clang; do
+    have $compiler || continue
+    make -s -k -j "$(nproc)" CC=$compiler BUILD="$BUILD/$compiler" OMP= all >"$BUILD.log" 2>&1 ||
+        { complain "$compiler"; head -n 40 "$BUILD.log"; }
+done
+[ $wrong -eq 0 ] && echo "lint: clean"
+exit $wrong
