@@ -1,0 +1,205 @@
+#!/usr/bin/env bash
+# cli.sh PROGRAM FOLDER: drives the program as a user would, wrong inputs and killed studies included.
+# Writes below FOLDER only. Prints what failed, then "N passed, N failed"; status 1 if any did.
+set -u
+program=$(realpath "$1")
+mkdir -p "$2"
+work=$(mktemp -d "$(realpath "$2")/cli.XXXXXX")
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
+cd "$work" || exit 1
+passed=0
+failed=0
+study=w07_05_squeeze_linear
+
+# ok NAME COMMAND...: the command must succeed.
+ok() {
+    local name=$1
+    shift
+    if "$@"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $name" >&2
+    fi
+}
+# run ARGUMENT...: leaves status, and files out and err.
+run() {
+    "$program" "$@" >out 2>err
+    status=$?
+}
+lines() { wc -l <"$1"; }
+# refused NAME STATUS TEXT ARGUMENT...: that status, no output, one line with the text in it.
+refused() {
+    local name=$1 want=$2 text=$3
+    shift 3
+    run "$@"
+    ok "$name: status $status, $(cat err)" test "$status" -eq "$want" -a ! -s out -a "$(lines err)" -eq 1
+    ok "$name: says '$text', not $(cat err)" grep -qF -- "$text" err
+}
+# untimed CSV: the table without its timing columns, which come last.
+untimed() { sed 's/\(,[^,]*\)\{3\}$//' "$1"; }
+
+# Wrong usage of every kind
+refused "no command" 2 "COMMAND"
+refused "unknown command" 2 "did you mean 'list'" lst
+refused "abbreviated command" 2 "did you mean 'describe'" desc
+refused "no problem" 2 "PROBLEM" run
+refused "unknown problem" 2 "did you mean 'squeeze'" run squeze
+refused "two problems" 2 "one problem only" run squeeze squeeze
+refused "unknown option" 2 "did you mean '--cells'" run squeeze --cels 3
+refused "unknown short option" 2 "unknown option '-x'" run squeeze -x
+refused "option without value" 2 "--cells: got nothing" run squeeze --cells
+refused "flag with value" 2 "takes no value" run squeeze --quiet=1
+refused "unknown method" 2 "did you mean 'gimp'" run squeeze --method gmp
+refused "unknown integrator" 2 "integrator" run squeeze --integrator xx
+refused "unknown setting" 2 "field" run squeeze --set feild=linear
+refused "setting without value" 2 "NAME=VALUE" run squeeze --set field
+refused "wrong word" 2 "linear" run squeeze --set field=liner
+for value in 0 -1 1.5 nan inf 1e8 ten '' ' 1' 0x10; do
+    refused "--cells '$value'" 2 "--cells: got '$value'" run squeeze "--cells=$value"
+done
+for value in 0 -2 nan 1e7; do
+    refused "--ppc $value" 2 "--ppc: got '$value'" run squeeze --ppc "$value"
+    refused "--cfl $value" 2 "--cfl: got '$value'" run squeeze --cfl "$value"
+done
+refused "--t-end 0" 2 "--t-end" run squeeze --t-end 0
+refused "--threads 0" 2 "1 to 1024" run squeeze --threads 0
+refused "--jobs 1.5" 2 "1 to 1024" study all --jobs 1.5
+refused "--every alone" 2 "--vtk" run squeeze --every 3
+refused "ppc and particles" 2 "particles" run squeeze --ppc 2 --set particles=200
+refused "unknown study" 2 "did you mean '$study'" study w07_05_squeeze_liner
+refused "no study" 2 "NAME" study
+refused "study of an unknown method" 2 "did you mean 'mpm'" study all --method gimp,mmp
+refused "list and collect" 2 "both" study all --list --collect
+refused "list of a wrong kind" 2 "did you mean 'methods'" list method
+refused "describe nothing known" 2 "did you mean 'gimp'" describe gimpp
+refused "claims takes no names" 2 "options only" claims all
+
+# What there is
+run list
+ok "list has four columns" awk -F'\t' 'NF != 4 { exit 1 }' out
+ok "list has each name once" test "$(cut -f2 out | sort | uniq -d | wc -l)" -eq 0
+for kind in methods problems studies; do
+    run list $kind
+    ok "list $kind" test "$status" -eq 0 -a "$(cut -f1 out | sort -u | wc -l)" -eq 1
+done
+for name in squeeze gimp $study; do
+    run describe $name
+    ok "describe $name" test "$status" -eq 0 -a -s out -a ! -s err
+done
+for command in "" list describe run study claims; do
+    run $command --help
+    ok "$command --help" test "$status" -eq 0 -a -s out -a ! -s err
+done
+run run squeeze --help --nonsense
+ok "help beats a wrong option" test "$status" -eq 0
+run --version
+ok "version" test "$status" -eq 0 -a "$(lines out)" -eq 3
+
+# run
+run run squeeze --cells 50 --method mpm --set field=quadratic
+cp out first
+ok "a header and a row" test "$status" -eq 0 -a "$(lines out)" -eq 2 -a ! -s err
+run run --method=mpm --set=field=quadratic --cells=50 -- squeeze
+ok "--opt=value and --" test "$status" -eq 0 -a "$(cut -d, -f1-17 out)" = "$(cut -d, -f1-17 first)"
+run run squeeze --csv t.csv
+run run squeeze --csv t.csv --ppc 3
+ok "--csv appends" test "$(lines t.csv)" -eq 3
+printf 'squeeze,gi' >>t.csv
+run run squeeze --csv t.csv
+ok "--csv after a torn line" test "$status" -eq 0 -a "$(lines t.csv)" -eq 4 -a "$(lines err)" -eq 1
+truncate -s -1 t.csv
+run run squeeze --csv t.csv --quiet
+ok "--csv after a last line without its end" test "$(lines t.csv)" -eq 5 -a ! -s err
+echo a,b >other.csv
+refused "--csv with other columns" 2 "other columns" run squeeze --csv other.csv
+ok "other.csv is as it was" test "$(cat other.csv)" = a,b
+refused "--csv nowhere" 1 "no/where.csv" run squeeze --csv no/where.csv
+refused "--csv a folder" 1 "directory" run squeeze --csv .
+for k in 1 2 3 4 5 6 7 8; do "$program" run squeeze --csv many.csv --ppc $k >/dev/null & done
+wait
+ok "--csv from several at once" test "$(lines many.csv)" -eq 9 -a "$(sort -u many.csv | wc -l)" -eq 9
+for command in list --help --version "run squeeze" "describe gimp"; do
+    "$program" $command >/dev/full 2>err
+    ok "$command into a full disk" test $? -eq 1 -a "$(lines err)" -eq 1
+done
+
+# Studies: whole, resumed, killed, two at once
+"$program" study $study --quick >out 2>err
+ok "quick study: $(cat err)" test $? -eq 0 -a -s build/out/quick/$study.csv -a ! -s out
+ok "quick gives no verdicts" test ! -e build/out/quick/claims.csv
+run study $study --out a --jobs 2
+ok "study: $(cat err)" test "$status" -eq 0 -a ! -s out
+ok "its files" test -s a/$study.csv -a -s a/$study.json -a -s a/claims.csv -a -s a/index.html
+ok "timings last" grep -q 'cpu_s,wall_s,ns_per_particle_step$' <(head -n 1 a/$study.csv)
+size=$(stat -c %s a/$study.rows)
+cp a/$study.csv before.csv
+run study $study --out a
+ok "done is done" test "$(stat -c %s a/$study.rows)" -eq "$size"
+ok "and leaves the same table" cmp -s before.csv a/$study.csv
+
+mkdir b
+head -c $((size / 2)) a/$study.rows >b/$study.rows
+run study $study --out b
+ok "resumes from a torn journal" cmp -s <(untimed a/$study.csv) <(untimed b/$study.csv)
+ok "and doubles no row" test "$(cut -f1 b/$study.rows | cut -c19- | sort | uniq -d | wc -l)" -eq 0
+
+killed=0
+for delay in .005 .01 .015 .02 .03 .04; do
+    "$program" study $study --out c --jobs 2 >/dev/null 2>&1 &
+    sleep $delay
+    kill -KILL $! && killed=1
+    wait $! 2>/dev/null
+    rows=$(lines c/$study.rows 2>/dev/null || echo 0)
+    [ "$rows" -gt 0 ] && [ "$rows" -lt $(($(lines a/$study.csv) - 1)) ] && break
+    rm -rf c
+done 2>/dev/null
+run study $study --out c
+ok "resumes after SIGKILL ($killed, $rows rows)" cmp -s <(untimed a/$study.csv) <(untimed c/$study.csv)
+ok "and kept its rows" test "$(lines c/$study.rows)" -eq $(($(lines a/$study.csv) - 1))
+
+"$program" study $study --out d >/dev/null 2>&1 &
+run study $study --out d
+wait
+ok "two at once" cmp -s <(untimed a/$study.csv) <(untimed d/$study.csv)
+ok "two at once double no row" test "$(lines d/$study.rows)" -eq $(($(lines d/$study.csv) - 1))
+
+"$program" study $study --out i >/dev/null 2>err &
+sleep .01
+kill -TERM $! 2>/dev/null
+wait $!
+ok "interrupted: 130, or done before" test $? -eq 130 -o -s i/$study.csv
+
+run study $study --out e --method mpm
+ok "one method only" test "$(cut -d, -f2 e/$study.csv | sort -u | tr '\n' ' ')" = "method mpm "
+run claims --out e
+ok "and no verdict on it" grep -q '^NOT_RUN' out
+run study $study --out f --list
+ok "list: a command a case" test "$(lines out)" -eq $(($(lines a/$study.csv) - 1))
+head -n 3 out >three
+ok "commands run as they are" bash -c 'bash ./three >/dev/null'
+run study $study --out f --collect
+ok "collect" cmp -s <(untimed a/$study.csv) <(untimed f/$study.csv)
+ok "collect ran only the rest" test "$(lines f/$study.rows)" -eq $(($(lines a/$study.csv) - 1))
+
+# Paths and machines that are not as they should be
+run study $study --quick --out "a folder's \$HOME; x"
+ok "a path with spaces: $(cat err)" test "$status" -eq 0
+if command -v gnuplot >/dev/null; then
+    ok "and its figure" test -s "a folder's \$HOME; x/quick/$study.svg"
+fi
+mkdir empty
+PATH=$work/empty "$program" study $study --quick --out g >out 2>err
+ok "no gnuplot: status 0, one line" test $? -eq 0 -a "$(lines err)" -eq 1 -a -s g/quick/$study.csv
+refused "out below a file" 1 "t.csv" study $study --out t.csv/x
+run claims --out a
+ok "claims" test "$status" -eq 0 -o "$status" -eq 3
+ok "a line a claim" test "$(lines out)" -eq $(($(lines a/claims.csv) - 1))
+sed -i '2s/mpm/mpn/' a/$study.csv
+run claims --out a
+ok "a table that was edited is not judged" grep -q '^NOT_RUN.*not the one' out
+
+ok "nothing half written is left" test -z "$(find . -name '*.tmp')"
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
