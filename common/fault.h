@@ -9,7 +9,7 @@ typedef struct Fault {
     char text[512]; /* one line, names the culprit, no newline */
 } Fault;
 
-/* Fills *f (which may be NULL) and returns code, so that callers can write `return fault_set(...)`. */
+/* Fills *f (which may be NULL) and returns code: callers write `return fault_set(...)`. */
 int fault_set(Fault *f, int code, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* The name in `names` (n of them) nearest to `got` by edit distance, for "did you mean". */

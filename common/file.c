@@ -1,5 +1,6 @@
-/* file.c: files that appear whole or not at all (table.h): written without a name where the system can
- * (O_TMPFILE), so that a killed program leaves nothing behind, then linked and renamed into place. */
+/* file.c: files that appear whole or not at all (table.h): written without a name where the system
+ * can (O_TMPFILE), so that a killed program leaves nothing behind, then linked and renamed into
+ * place. */
 #define _GNU_SOURCE /* O_TMPFILE */
 #include <errno.h>
 #include <fcntl.h>
@@ -20,7 +21,8 @@ static int open_nameless(const char *path)
 {
     const char *slash = strrchr(path, '/');
     char folder[PATH_MAX];
-    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1,
+             slash ? path : ".");
     return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
 }
 

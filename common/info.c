@@ -9,7 +9,8 @@
 
 int number_parse(const char *text, double *value)
 {
-    if (!*text || strspn(text, "+-.0123456789eE") != strlen(text)) return -1; /* no hex, inf, " 1" */
+    if (!*text || strspn(text, "+-.0123456789eE") != strlen(text))
+        return -1; /* no hex, inf, " 1" */
     char *end;
     double x = strtod(text, &end);
     if (*end || !isfinite(x)) return -1;
@@ -69,6 +70,8 @@ void param_print(const Param *p, double value, char out[64])
 {
     const char *word;
     int length = p->choices ? choice(p->choices, (int)value, &word) : 0;
-    if (length > 0) snprintf(out, 64, "%.*s", length, word);
-    else number_print(value, out);
+    if (length > 0)
+        snprintf(out, 64, "%.*s", length, word);
+    else
+        number_print(value, out);
 }

@@ -2,6 +2,8 @@
 #ifndef MPMLAB_INFO_H
 #define MPMLAB_INFO_H
 
+#include <stddef.h>
+
 /* One parameter. Numbers lie in [min, max]; if `choices` is set ("a|b|c") the value is the index of
  * the chosen word. The list of a problem or method ends with a Param whose name is NULL. */
 typedef struct Param {

@@ -61,6 +61,7 @@ typedef struct Method {
     bool affine;           /* payload fills B */
     bool linear_exact;     /* projects linear fields exactly from any particle set */
     bool surface;          /* needs surface particles */
+    bool smooth;           /* weights are C1: S ~ eps^2, dS/dx ~ eps at the edge of a support */
 
     /* Nodes per axis for half widths up to b [cells]; at most MAX_WIDTH. */
     int (*width)(double b);

@@ -41,7 +41,8 @@ typedef struct Layout Layout; /* place.h: a growing list of points */
 
 typedef struct Problem {
     Info info;
-    double cells, ppc, cfl; /* defaults; cfl 0: the scene has no time */
+    double cells, ppc, cfl; /* defaults */
+    int steps;              /* default duration in steps, if the scene has no t_end of its own */
     bool projection;        /* no time: errors are those of the projected node velocities */
 
     /* Material, domain, walls, times and derived constants from the parameters. 0, or -1 with one

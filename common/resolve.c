@@ -214,6 +214,8 @@ static int choose_times(RunSpec *spec, Plan *plan, Fault *fault)
         return 0;
     }
     if (!(spec->cfl > 0)) spec->cfl = problem->cfl;
+    if (!(spec->t_end > 0) && problem->steps)
+        spec->t_end = problem->steps * spec->cfl * plan->scene.cell / plan->scene.c;
     if (!(spec->t_end > 0)) spec->t_end = plan->scene.t_end;
     plan->cfl = spec->cfl;
     plan->t_end = spec->t_end;

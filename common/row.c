@@ -11,9 +11,18 @@ typedef struct Column {
     int is_text, is_timing;
 } Column;
 
-#define NUMBER(name) {#name, offsetof(Row, name), 0, 0}
-#define TIMING(name) {#name, offsetof(Row, name), 0, 1}
-#define TEXT(name)   {#name, offsetof(Row, name), 1, 0}
+#define NUMBER(name)                                                                               \
+    {                                                                                              \
+#name, offsetof(Row, name), 0, 0                                                           \
+    }
+#define TIMING(name)                                                                               \
+    {                                                                                              \
+#name, offsetof(Row, name), 0, 1                                                           \
+    }
+#define TEXT(name)                                                                                 \
+    {                                                                                              \
+#name, offsetof(Row, name), 1, 0                                                           \
+    }
 
 /* The order is part of the contract: more may follow at the end. */
 static const Column columns[] = {
@@ -46,11 +55,20 @@ static const Column columns[] = {
     NUMBER(fallbacks),
 };
 
-int row_columns(void) { return (int)(sizeof columns / sizeof *columns); }
+int row_columns(void)
+{
+    return (int)(sizeof columns / sizeof *columns);
+}
 
-const char *row_column_name(int k) { return columns[k].name; }
+const char *row_column_name(int k)
+{
+    return columns[k].name;
+}
 
-int row_column_is_timing(int k) { return columns[k].is_timing; }
+int row_column_is_timing(int k)
+{
+    return columns[k].is_timing;
+}
 
 Row row_empty(void)
 {
@@ -68,8 +86,10 @@ static int print_text(const char *text, char *out)
     for (; text[n]; n++) {
         char c = text[n];
         out[n] = c;
-        if (c == ',') out[n] = ';';
-        else if (c == '"' || (unsigned char)c < ' ') out[n] = ' ';
+        if (c == ',')
+            out[n] = ';';
+        else if (c == '"' || (unsigned char)c < ' ')
+            out[n] = ' ';
     }
     out[n] = '\0';
     return n;

@@ -25,7 +25,7 @@ Row row_empty(void);
 int row_header(char out[ROW_TEXT]);
 int row_print(const Row *row, char out[ROW_TEXT]);
 
-/* Column names, in order, for callers that pick; timing columns are those that differ run by run. */
+/* Column names, in order, for callers that pick; timing columns differ run by run. */
 int row_columns(void);
 const char *row_column_name(int k);
 int row_column_is_timing(int k);

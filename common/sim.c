@@ -141,7 +141,10 @@ static void fill_particles(Sim *sim, const Layout *layout)
         n++;
     }
     p->n = n;
-    sim->mass_cut = 1e-12 * scene->mat.rho * body_volume(scene) / n;
+    /* Lighter nodes are empty. A tent's force does not fade with its mass, so that a node of round-off
+     * weight must not move; a smooth weight's force goes as the root of its mass, and is kept. */
+    const double least = sim->setup->method->smooth ? 1e-24 : 1e-12;
+    sim->mass_cut = least * scene->mat.rho * body_volume(scene) / n;
 }
 
 /* Initial state: x = X + u, and v, F, L as the scene says. */

@@ -1,4 +1,4 @@
-/* spec.h: what one run is asked to do, as typed; and the same resolved, with every default filled. */
+/* spec.h: what one run is asked to do, as typed; and the same with every default filled. */
 #ifndef MPMLAB_SPEC_H
 #define MPMLAB_SPEC_H
 
@@ -10,19 +10,20 @@ typedef struct Setting {
     char name[32], value[32];
 } Setting;
 
-/* Zeroed fields ("" or 0) mean: not given, take the default. All run inputs are finite and positive. */
+/* Zeroed fields ("" or 0) mean: not given, take the default. All run inputs are finite and
+ * positive. */
 typedef struct RunSpec {
     char problem[32], method[32], integrator[16];
     double cells; /* per unit length, whole */
     double ppc;   /* particles per cell */
     double cfl;
-    double t_end;                          /* [s] */
-    int threads;                           /* 0: one */
-    int nset;                              /* settings from --set, in the order given; */
-    Setting set[SPEC_SETS];                /*   problem, method and run parameters */
+    double t_end;                            /* [s] */
+    int threads;                             /* 0: one */
+    int nset;                                /* settings from --set, in the order given; */
+    Setting set[SPEC_SETS];                  /*   problem, method and run parameters */
     const char *history, *particles, *nodes; /* output files of this run, or NULL; not owned */
-    const char *vtk;                       /* folder for snapshots, or NULL */
-    int every;                             /* steps between snapshots */
+    const char *vtk;                         /* folder for snapshots, or NULL */
+    int every;                               /* steps between snapshots */
 } RunSpec;
 
 /* Adds NAME=VALUE to the settings (replacing an earlier NAME). 0, or a fault with code 2. */

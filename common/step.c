@@ -207,6 +207,15 @@ static inline void solve_node(Sim *sim, size_t at, unsigned held, double dt, dou
     g->node[at] = out;
 }
 
+/* A node without mass has no motion; what pulls at it is the wall's if one holds it, else it is lost. */
+static inline void clear_node(Sim *sim, size_t at, unsigned held, double dt, double impulse[DIM])
+{
+    const Line in = sim->g.node[at];
+    for (int l = FLUX; l < LANES && !sim->g.nmirror; l++)
+        if (held >> (l - FLUX) % DIM & 1) impulse[(l - FLUX) % DIM] -= dt * in[l];
+    sim->g.node[at] = (Line){0};
+}
+
 /* Nodes that are nobody's are set to zero; ghosts of a symmetry line are left to it. */
 static void solve_row(Sim *sim, int row, double dt, double scale)
 {
@@ -226,7 +235,7 @@ static void solve_row(Sim *sim, int row, double dt, double scale)
         if (g->mass) g->mass[at] = empty ? 0 : mass;
         live += !empty;
         if (empty)
-            g->node[at] = (Line){0};
+            clear_node(sim, at, held | g->hold[0][i], dt * scale, g->impulse[row]);
         else
             solve_node(sim, at, held | g->hold[0][i], dt, scale, g->impulse[row]);
     }

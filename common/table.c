@@ -1,4 +1,4 @@
-/* table.c: CSV files (RFC 4180) in and out of memory, whole files by rename, orders by fit (GSL). */
+/* table.c: CSV files (RFC 4180) in and out of memory; orders by fit (GSL). */
 #include "table.h"
 
 #include <errno.h>

@@ -16,15 +16,15 @@ typedef struct Table {
 Table *table_read(const char *path, Fault *fault);
 void table_free(Table *t);
 
-int table_column(const Table *t, const char *name);               /* -1 if absent */
+int table_column(const Table *t, const char *name);                /* -1 if absent */
 const char *table_text(const Table *t, int row, const char *name); /* "" if absent */
 double table_number(const Table *t, int row, const char *name);    /* NAN if absent or empty */
 
 /* Puts text as one CSV cell (quoted if it must be). */
 void csv_cell(FILE *out, const char *text);
 
-/* Opens a temporary file beside path; file_commit flushes, checks and renames it into place, so that
- * path is either the whole new file or what it was. Both report faults with code 1. */
+/* Opens a temporary file beside path; file_commit flushes, checks and renames it into place, so
+ * that path is either the whole new file or what it was. Both report faults with code 1. */
 FILE *file_begin(const char *path, Fault *fault);
 int file_commit(FILE *f, const char *path, Fault *fault);
 void file_abandon(FILE *f, const char *path);

@@ -13,6 +13,7 @@ const Method method_ge_gimp = {
     .keeps_L = true,
     .affine = true,
     .linear_exact = true,
+    .smooth = true,
     .width = gimp_width,
     .shape = gimp_shape,
     .payload = gradient_payload,

@@ -9,6 +9,7 @@ const Method method_gimp = {
              .source = "Bardenhagen & Kober 2004; W07 eq 2.1"},
     .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},
+    .smooth = true,
     .width = gimp_width,
     .shape = gimp_shape,
     .payload = mass_payload,
