@@ -69,6 +69,17 @@ static void put_number(Writer *w, const char *option, double x)
     if (x > 0) put(w, " --%s %s", option, text);
 }
 
+/* The setting whose name comes next after that of `last` (NULL: the first), or NULL. */
+static const Setting *setting_after(const RunSpec *spec, const Setting *last)
+{
+    const Setting *next = NULL;
+    for (const Setting *s = spec->set; s < spec->set + spec->nset; s++)
+        if ((!last || strcmp(s->name, last->name) > 0) &&
+            (!next || strcmp(s->name, next->name) < 0))
+            next = s;
+    return next;
+}
+
 void spec_command(const RunSpec *spec, char out[SPEC_TEXT])
 {
     Writer w = {out, 0};
@@ -80,14 +91,6 @@ void spec_command(const RunSpec *spec, char out[SPEC_TEXT])
     put_number(&w, "cfl", spec->cfl);
     put_number(&w, "t-end", spec->t_end);
     if (spec->threads > 1) put(&w, " --threads %d", spec->threads);
-    const Setting *last = NULL; /* selection by name: the smallest above the last one */
-    for (int k = 0; k < spec->nset; k++) {
-        const Setting *next = NULL;
-        for (const Setting *s = spec->set; s < spec->set + spec->nset; s++)
-            if ((!last || strcmp(s->name, last->name) > 0) &&
-                (!next || strcmp(s->name, next->name) < 0))
-                next = s;
-        put(&w, " --set %s=%s", next->name, next->value);
-        last = next;
-    }
+    for (const Setting *s = NULL; (s = setting_after(spec, s));)
+        put(&w, " --set %s=%s", s->name, s->value);
 }

@@ -19,5 +19,5 @@ plot csv using (only('mpm', 'ppc')):'error_linf' with linespoints ls style('mpm'
          title label('mpm').', maxima fall as '.slope(W07_5_mpm_exponent), \
      csv using (only('gimp', 'ppc')):'error_linf' with linespoints ls style('gimp') ps 0.35 \
          title label('gimp').', maxima fall as '.slope(W07_5_gimp_exponent), \
-     2 * guide(x, -2) with lines ls 21 title 'PPC^{ −2}', \
-     1.5 * guide(x, -3) with lines ls 20 title 'PPC^{ −3}'
+     1.6 * guide(x, -2) with lines ls 21 title 'PPC^{ −2}', \
+     1.1 * guide(x, -3) with lines ls 20 title 'PPC^{ −3}'

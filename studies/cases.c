@@ -75,10 +75,14 @@ static void set_outputs(Cases *cases)
 {
     for (Case *c = cases->list; c < cases->list + cases->n; c++) {
         if (!c->file) continue;
-        if (strcmp(c->kind, "history") == 0) c->spec.history = c->file;
-        else if (strcmp(c->kind, "particles") == 0) c->spec.particles = c->file;
-        else if (strcmp(c->kind, "nodes") == 0) c->spec.nodes = c->file;
-        else fault_set(&cases->fault, FAULT_USAGE, "case file of unknown kind '%s'", c->kind);
+        if (strcmp(c->kind, "history") == 0)
+            c->spec.history = c->file;
+        else if (strcmp(c->kind, "particles") == 0)
+            c->spec.particles = c->file;
+        else if (strcmp(c->kind, "nodes") == 0)
+            c->spec.nodes = c->file;
+        else
+            fault_set(&cases->fault, FAULT_USAGE, "case file of unknown kind '%s'", c->kind);
     }
 }
 

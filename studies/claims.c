@@ -46,7 +46,10 @@ static void add(Check *check, const char *id, const char *statement, Verdict ver
     check->list[check->n++] = c;
 }
 
-static bool within(double x, double low, double high) { return x >= low && x <= high; }
+static bool within(double x, double low, double high)
+{
+    return x >= low && x <= high;
+}
 
 void claim(Check *check, const char *id, const char *statement, double measured, double low,
            double high)
@@ -59,7 +62,8 @@ void claim_differs(Check *check, const char *id, const char *statement, double m
 {
     const double numbers[] = {measured, low, high};
     write_note(check->notes, id, measured);
-    if (within(measured, low, high)) add(check, id, statement, PASS, numbers, "");
+    if (within(measured, low, high))
+        add(check, id, statement, PASS, numbers, "");
     else if (within(measured, seen_low, seen_high))
         add(check, id, statement, DIFFERS, numbers, reason);
     else
@@ -93,8 +97,10 @@ int check_all(Check *check, const char *dir, Fault *fault)
     for (const Study *const *s = studies; *s; s++) {
         char reason[128];
         if (!(*s)->check) continue;
-        if (!sidecar_is_current(*s, dir, reason)) not_run(check, *s, reason);
-        else if (check_study(check, *s, dir, fault)) return FAULT_MACHINE;
+        if (!sidecar_is_current(*s, dir, reason))
+            not_run(check, *s, reason);
+        else if (check_study(check, *s, dir, fault))
+            return FAULT_MACHINE;
     }
     return 0;
 }

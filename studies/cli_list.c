@@ -16,9 +16,15 @@ static const Option no_options[] = {{NULL, NULL, NULL}};
 
 typedef const Info *const *InfoList;
 
-static InfoList problems_of(const Engine *e) { return e->problems; }
+static InfoList problems_of(const Engine *e)
+{
+    return e->problems;
+}
 
-static InfoList methods_of(const Engine *e) { return e->methods; }
+static InfoList methods_of(const Engine *e)
+{
+    return e->methods;
+}
 
 static const Info *info_in(InfoList list, const char *name)
 {

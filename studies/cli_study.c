@@ -81,12 +81,20 @@ static int take_study(void *into, const char *name, const char *got, Fault *faul
     StudyOptions *o = &args->options;
     if (!name) return take_name(args, got, fault);
     switch (name[0]) {
-    case 'q': o->quick = true; return 0;
-    case 'j': return whole_parse("--jobs", got, 1024, &o->jobs, fault);
-    case 'o': return take_out(&args->out, got, fault);
-    case 'm': o->methods = got; return methods_check(got, fault);
-    case 'l': return take_action(o, STUDY_LIST, fault);
-    default: return take_action(o, STUDY_COLLECT, fault);
+    case 'q':
+        o->quick = true;
+        return 0;
+    case 'j':
+        return whole_parse("--jobs", got, 1024, &o->jobs, fault);
+    case 'o':
+        return take_out(&args->out, got, fault);
+    case 'm':
+        o->methods = got;
+        return methods_check(got, fault);
+    case 'l':
+        return take_action(o, STUDY_LIST, fault);
+    default:
+        return take_action(o, STUDY_COLLECT, fault);
     }
 }
 
@@ -107,7 +115,8 @@ static int run_studies(const StudyArgs *args, Fault *fault)
         Fault f = {0};
         if (strcmp(args->name, "all") != 0 && strcmp(args->name, (*s)->name) != 0) continue;
         int got = study_run(*s, &args->options, &f);
-        if (got == PLOT_NO_GNUPLOT) drawn = false;
+        if (got == PLOT_NO_GNUPLOT)
+            drawn = false;
         else if (got && (code == 0 || got == EXIT_INTERRUPTED)) {
             code = got;
             *fault = f;
@@ -158,8 +167,10 @@ static int take_claims(void *into, const char *name, const char *got, Fault *fau
 
 static void print_number(double x, int width)
 {
-    if (isnan(x)) printf("%*s", width, "-");
-    else printf("%*.5g", width, x);
+    if (isnan(x))
+        printf("%*s", width, "-");
+    else
+        printf("%*.5g", width, x);
 }
 
 static void print_claim(const Claim *c, int id_width, bool colour)

@@ -27,8 +27,10 @@ static void print_word(const char *word)
     }
     putchar('\'');
     for (; *word; word++) {
-        if (*word == '\'') fputs("'\\''", stdout);
-        else putchar(*word);
+        if (*word == '\'')
+            fputs("'\\''", stdout);
+        else
+            putchar(*word);
     }
     putchar('\'');
 }

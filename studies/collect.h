@@ -1,5 +1,5 @@
-/* collect.h: a study's missing cases as independent commands, for GNU parallel or a batch system; and
- * their rows back into the journal. Each command has a file of its own, named by its key. */
+/* collect.h: a study's missing cases as independent commands, for GNU parallel or a batch system;
+ * and their rows back into the journal. Each command has a file of its own, named by its key. */
 #ifndef MPMLAB_COLLECT_H
 #define MPMLAB_COLLECT_H
 

@@ -30,8 +30,8 @@ static int read_header(int fd, const char *path, Fault *fault)
     text[strcspn(text, "\r\n")] = '\0';
     if (strcmp(text, ours) == 0) return 0;
     if (n < length && strncmp(text, ours, (size_t)n) == 0) return 1; /* a torn header: start anew */
-    fault_set(fault, FAULT_USAGE, "--csv: got '%s', a file with other columns, takes a table of rows",
-              path);
+    fault_set(fault, FAULT_USAGE,
+              "--csv: got '%s', a file with other columns, takes a table of rows", path);
     return -1;
 }
 
@@ -45,13 +45,14 @@ int csv_append_check(const char *path, Fault *fault)
     }
     const char *slash = strrchr(path, '/');
     char folder[PATH_MAX];
-    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1,
+             slash ? path : ".");
     if (errno == ENOENT && access(folder, W_OK | X_OK) == 0) return 0;
     return machine(path, fault);
 }
 
-/* Makes the file end in a whole line: a last line without its end gets one if it has every cell, and
- * is dropped if not. The file's new size, or -1. */
+/* Makes the file end in a whole line: a last line without its end gets one if it has every cell,
+ * and is dropped if not. The file's new size, or -1. */
 static off_t mend_tail(int fd, off_t size, const char *path, FILE *notes)
 {
     char c = '\n';

@@ -1,5 +1,5 @@
-/* journal.c: one record a line, "LENGTH CRC32 KEY<tab>ROW", appended whole; what does not check out is
- * skipped byte by byte until a record does, so damage costs only the records it touched. */
+/* journal.c: one record a line, "LENGTH CRC32 KEY<tab>ROW", appended whole; what does not check out
+ * is skipped byte by byte until a record does, so damage costs only the records it touched. */
 #include "journal.h"
 
 #include <ctype.h>
@@ -116,8 +116,10 @@ const char *journal_row(const Journal *j, const char *key)
     for (int low = 0, high = j->n; low < high;) {
         int middle = (low + high) / 2, order = strcmp(key, j->records[middle].key);
         if (order == 0) return j->records[middle].row;
-        if (order < 0) high = middle;
-        else low = middle + 1;
+        if (order < 0)
+            high = middle;
+        else
+            low = middle + 1;
     }
     return NULL;
 }

@@ -1,5 +1,5 @@
-/* journal.h: the rows of a study as they finish, each with length and checksum, so that a study killed
- * at any moment loses no finished row. */
+/* journal.h: the rows of a study as they finish, each with length and checksum, so that a study
+ * killed at any moment loses no finished row. */
 #ifndef MPMLAB_JOURNAL_H
 #define MPMLAB_JOURNAL_H
 
@@ -17,8 +17,8 @@ typedef struct Journal {
     Record *records; /* sorted by key, the newest of each */
 } Journal;
 
-/* Opens (or creates) and locks path, waiting for another study that holds it; reads it, and cuts off a
- * torn tail. 0, or a fault with code 1. */
+/* Opens (or creates) and locks path, waiting for another study that holds it; reads it, and cuts
+ * off a torn tail. 0, or a fault with code 1. */
 int journal_open(Journal *j, const char *path, Fault *fault);
 
 /* Reads again what has been appended since. */
@@ -27,7 +27,7 @@ int journal_reload(Journal *j, const char *path, Fault *fault);
 /* The row with that key, or NULL; valid until the next reload. */
 const char *journal_row(const Journal *j, const char *key);
 
-/* Appends a record by one write(); may be called by several processes that share fd. 0, or errno. */
+/* Appends a record by one write(); may be called by several processes sharing fd. 0, or errno. */
 int journal_append(int fd, const char *key, const char *row);
 
 void journal_close(Journal *j);

@@ -1,4 +1,4 @@
-/* main.c: mpmlab's front door: finds the command, prints its one line of failure, and its status. */
+/* main.c: mpmlab's front door: finds the command, prints its one line of failure. */
 #include <errno.h>
 #include <signal.h>
 #include <string.h>
@@ -72,8 +72,8 @@ int main(int argc, char **argv)
     int status = dispatch(argc, argv, &fault);
     errno = 0;
     if ((fflush(stdout) != 0 || ferror(stdout)) && status != FAULT_USAGE)
-        status = fault_set(&fault, FAULT_MACHINE, "standard output: %s",
-                           strerror(errno ? errno : EIO));
+        status =
+            fault_set(&fault, FAULT_MACHINE, "standard output: %s", strerror(errno ? errno : EIO));
     if (fault.code) fprintf(stderr, "mpmlab: %s\n", fault.text);
     return status;
 }

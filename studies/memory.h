@@ -6,7 +6,8 @@
 
 void *must(void *memory);
 
-/* Room for one more element of `size` bytes behind n; list is NULL at first, and owned by the caller. */
+/* Room for one more element of `size` bytes behind n; list is NULL at first, and owned by the
+ * caller. */
 void *one_more(void *list, int n, size_t size);
 
 /* The formatted text in memory that the caller owns. */

@@ -1,4 +1,5 @@
-/* options.h: command lines read from tables of options: --name VALUE, --name=VALUE, and plain words. */
+/* options.h: command lines read from tables of options: --name VALUE, --name=VALUE, and plain
+ * words. */
 #ifndef MPMLAB_OPTIONS_H
 #define MPMLAB_OPTIONS_H
 

@@ -16,7 +16,8 @@ static const char head[] =
     ":root{color-scheme:light dark;--paper:#fcfcfa;--ink:#1c1e21;--soft:#63676d;--line:#dcdcd6;"
     "--card:#fff;--pass:#00704f;--fail:#b3261e;--differs:#8a5300;--not:#63676d}\n"
     "@media(prefers-color-scheme:dark){:root{--paper:#15171a;--ink:#e6e6e3;--soft:#9ba0a6;"
-    "--line:#33373c;--card:#1c1f23;--pass:#4fc79a;--fail:#ff8a80;--differs:#f0b45a;--not:#9ba0a6}}\n"
+    "--line:#33373c;--card:#1c1f23;--pass:#4fc79a;--fail:#ff8a80;--differs:#f0b45a;--not:#9ba0a6}}"
+    "\n"
     "body{margin:0 auto;max-width:62rem;padding:2rem 1rem 4rem;background:var(--paper);"
     "color:var(--ink);font:1rem/1.5 system-ui,sans-serif}\n"
     "h1{font-size:1.6rem;margin:0}h2{font-size:1.15rem;margin:3rem 0 .25rem}p{margin:.25rem 0}\n"
@@ -36,11 +37,16 @@ static const char head[] =
 static void escaped(FILE *f, const char *text)
 {
     for (; *text; text++) {
-        if (*text == '<') fputs("&lt;", f);
-        else if (*text == '>') fputs("&gt;", f);
-        else if (*text == '&') fputs("&amp;", f);
-        else if (*text == '"') fputs("&quot;", f);
-        else putc(*text, f);
+        if (*text == '<')
+            fputs("&lt;", f);
+        else if (*text == '>')
+            fputs("&gt;", f);
+        else if (*text == '&')
+            fputs("&amp;", f);
+        else if (*text == '"')
+            fputs("&quot;", f);
+        else
+            putc(*text, f);
     }
 }
 
@@ -54,8 +60,10 @@ static void element(FILE *f, const char *open, const char *text, const char *clo
 /* For reading: four digits; the exact number is in claims.csv. */
 static void number(FILE *f, double x)
 {
-    if (isnan(x)) fputs("&ndash;", f);
-    else fprintf(f, "%.4g", x);
+    if (isnan(x))
+        fputs("&ndash;", f);
+    else
+        fprintf(f, "%.4g", x);
 }
 
 static void claim_row(FILE *f, const Claim *c)
@@ -81,9 +89,10 @@ static void claim_table(FILE *f, const Check *claims, const Study *study)
     for (int k = 0; k < claims->n; k++) {
         if (study && claims->list[k].study != study) continue;
         if (rows++ == 0)
-            fputs("<div class=\"wide\"><table>\n<tr><th>verdict</th><th>claim</th><th>statement</th>"
-                  "<th>measured</th><th>expected</th></tr>\n",
-                  f);
+            fputs(
+                "<div class=\"wide\"><table>\n<tr><th>verdict</th><th>claim</th><th>statement</th>"
+                "<th>measured</th><th>expected</th></tr>\n",
+                f);
         claim_row(f, &claims->list[k]);
     }
     if (rows) fputs("</table></div>\n", f);

@@ -59,7 +59,8 @@ static char *settings(const char *const values[][2], int n)
 {
     char *all = text_of("%s", "");
     for (int k = 0; k < n; k++) {
-        char *value = quoted(values[k][1]), *longer = text_of("%s%s=%s; ", all, values[k][0], value);
+        char *value = quoted(values[k][1]),
+             *longer = text_of("%s%s=%s; ", all, values[k][0], value);
         free(value);
         free(all);
         all = longer;
@@ -138,8 +139,8 @@ static int draw_format(const Study *study, const char *dir, const char *plots, c
     char *csv = text_of("%s/%s.csv", dir, study->name);
     char *whole = text_of("%s/%s.%s", dir, study->name, format);
     char *part = text_of("%s.tmp", whole);
-    const char *const values[][2] = {{"fmt", format}, {"out", part}, {"dir", dir},
-                                     {"name", study->name}, {"csv", csv}, {"plots", plots}};
+    const char *const values[][2] = {{"fmt", format},       {"out", part}, {"dir", dir},
+                                     {"name", study->name}, {"csv", csv},  {"plots", plots}};
     char *set = settings(values, 6);
     int code = draw(set, script, part, whole, fault);
     free(set);

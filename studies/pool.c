@@ -1,4 +1,4 @@
-/* pool.c: workers fork once, then take the next case from a shared counter: a case costs no fork. */
+/* pool.c: workers fork once, then take cases from a shared counter: a case costs no fork. */
 #define _GNU_SOURCE
 #include "pool.h"
 
@@ -85,7 +85,7 @@ static int start(Pool *p, int worker)
     return p->pid[worker] > 0;
 }
 
-/* Collects workers that ended; one that crashed is reported and replaced. Returns how many are left. */
+/* Collects workers that ended; reports and replaces one that crashed. How many are left. */
 static int reap(Pool *p)
 {
     int left = 0, status;
@@ -99,8 +99,10 @@ static int reap(Pool *p)
         int k = p->shared->running[w];
         if (k == IDLE || p->shared->stop) continue;
         char why[64];
-        if (WIFSIGNALED(status)) snprintf(why, sizeof why, "died of signal %d", WTERMSIG(status));
-        else snprintf(why, sizeof why, "ended with status %d", WEXITSTATUS(status));
+        if (WIFSIGNALED(status))
+            snprintf(why, sizeof why, "died of signal %d", WTERMSIG(status));
+        else
+            snprintf(why, sizeof why, "ended with status %d", WEXITSTATUS(status));
         report(p->shared, p->cases->list[p->todo[k]].command, why);
         atomic_fetch_add(&p->shared->done, 1);
         left += start(p, w);
@@ -151,20 +153,27 @@ static int outcome(const Shared *s, Fault *fault)
 int pool_run(const Cases *cases, const int *todo, int n, int jobs, const Journal *journal,
              const char *path, const char *title, Fault *fault)
 {
-    Shared *shared = mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS,
-                          -1, 0);
+    Shared *shared =
+        mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (n == 0) jobs = 0;
     if (shared == MAP_FAILED) return fault_set(fault, FAULT_MACHINE, "no shared memory");
-    Pool p = {.cases = cases, .todo = todo, .n = n, .jobs = jobs < n ? jobs : n,
-              .fd = journal->fd, .path = path, .shared = shared};
+    Pool p = {.cases = cases,
+              .todo = todo,
+              .n = n,
+              .jobs = jobs < n ? jobs : n,
+              .fd = journal->fd,
+              .path = path,
+              .shared = shared};
     Progress progress = progress_start(title, n);
     block_signals(&p);
     for (int w = 0; w < p.jobs; w++) start(&p, w);
     int code = watch(&p, &progress);
     sigprocmask(SIG_SETMASK, &p.before, NULL);
     progress_end(&progress);
-    if (code) fault_set(fault, code, "interrupted; a re-run continues from here");
-    else code = outcome(shared, fault);
+    if (code)
+        fault_set(fault, code, "interrupted; a re-run continues from here");
+    else
+        code = outcome(shared, fault);
     munmap(shared, sizeof *shared);
     return code;
 }

@@ -4,7 +4,7 @@
 
 typedef struct Progress {
     const char *title;
-    int total;     /* 0: draw nothing */
+    int total;           /* 0: draw nothing */
     double start, drawn; /* [s] */
 } Progress;
 

@@ -75,8 +75,8 @@ int method_names(const char *names[], int max)
     return n;
 }
 
-static int name_check(const char *what, const char *takes, const char *got, const char *const *names,
-                      int n, Fault *fault)
+static int name_check(const char *what, const char *takes, const char *got,
+                      const char *const *names, int n, Fault *fault)
 {
     for (int k = 0; k < n; k++)
         if (strcmp(names[k], got) == 0) return 0;
@@ -122,7 +122,7 @@ static int take_number(RunSpec *spec, const struct Number *n, const char *got, F
     snprintf(option, sizeof option, "--%s", n->option);
     if (number_parse(got, &x) || x <= 0 || x > n->high || (n->whole && x != (double)(long)x))
         return refuse(fault, option, got, n->takes, NULL, 0);
-    *(double *)((char *)spec + n->at) = x;
+    memcpy((char *)spec + n->at, &x, sizeof x);
     return 0;
 }
 
@@ -143,12 +143,19 @@ static int take(void *into, const char *name, const char *got, Fault *fault)
     for (size_t k = 0; k < sizeof files / sizeof *files; k++)
         if (strcmp(files[k].option, name) == 0) return take_file(args, &files[k], got, fault);
     switch (name[0]) { /* the rest differ in their first letters */
-    case 'm': return take_method(spec, got, fault);
-    case 'i': return take_integrator(spec, got, fault);
-    case 's': return spec_set(spec, got, fault);
-    case 't': return whole_parse("--threads", got, 1024, &spec->threads, fault);
-    case 'e': return whole_parse("--every", got, 1000000000, &spec->every, fault);
-    default: args->quiet = true; return 0;
+    case 'm':
+        return take_method(spec, got, fault);
+    case 'i':
+        return take_integrator(spec, got, fault);
+    case 's':
+        return spec_set(spec, got, fault);
+    case 't':
+        return whole_parse("--threads", got, 1024, &spec->threads, fault);
+    case 'e':
+        return whole_parse("--every", got, 1000000000, &spec->every, fault);
+    default:
+        args->quiet = true;
+        return 0;
     }
 }
 

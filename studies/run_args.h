@@ -1,4 +1,4 @@
-/* run_args.h: the arguments of `mpmlab run`, for the command itself and for the cases of studies. */
+/* run_args.h: the arguments of `mpmlab run`, for the command and for the cases of studies. */
 #ifndef MPMLAB_RUN_ARGS_H
 #define MPMLAB_RUN_ARGS_H
 
@@ -20,7 +20,7 @@ int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault);
 /* Reads a text "run bar --ppc 2" (no quotes in it; no file options) and resolves it. */
 int run_text_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault);
 
-/* The names in a list of infos over every engine, each once; kind as Engine's member. At most max. */
+/* The names that any engine knows, each once; at most max. How many. */
 int problem_names(const char *names[], int max);
 int method_names(const char *names[], int max);
 

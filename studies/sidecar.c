@@ -70,9 +70,15 @@ static Digest digest(const Table *t)
     return d;
 }
 
-static json_t *number(double x) { return isfinite(x) ? json_real(x) : json_null(); }
+static json_t *number(double x)
+{
+    return isfinite(x) ? json_real(x) : json_null();
+}
 
-static json_t *hex(unsigned long sum) { return json_sprintf("%08lx", sum); }
+static json_t *hex(unsigned long sum)
+{
+    return json_sprintf("%08lx", sum);
+}
 
 static json_t *inputs(const Cases *cases)
 {
@@ -82,18 +88,23 @@ static json_t *inputs(const Cases *cases)
     return list;
 }
 
+static json_t *time_steps(const Digest *d)
+{
+    static const char definition[] = "dt = t_end/n, n = ceil(t_end/dt0 - 1e-9), dt0 = cfl h/c; "
+                                     "c as `mpmlab describe PROBLEM` says";
+    return json_pack("{so so ss}", "min", number(d->dt_min), "max", number(d->dt_max), "definition",
+                     definition);
+}
+
 static json_t *describe(const Study *study, const Cases *cases, const Table *t)
 {
     Digest d = digest(t);
-    return json_pack(
-        "{ss ss ss ss ss ss ss s{so so ss} so si so so so}", "study", study->name, "figure",
-        study->figure, "about", study->about, "version", FACT_VERSION, "compiler", FACT_COMPILER,
-        "flags", FACT_FLAGS, "sources", FACT_SOURCES, "dt", "min", number(d.dt_min), "max",
-        number(d.dt_max), "definition",
-        "dt = t_end/n, n = ceil(t_end/dt0 - 1e-9), dt0 = cfl h/c, c the wave speed of the problem's "
-        "dt0 (mpmlab describe PROBLEM)",
-        "seconds", number(d.seconds), "rows", t->nrow, "checksum", hex(d.sum), "inputs_checksum",
-        hex(cases_checksum(cases)), "inputs", inputs(cases));
+    return json_pack("{ss ss ss ss ss ss ss so so si so so so}", "study", study->name, "figure",
+                     study->figure, "about", study->about, "version", FACT_VERSION, "compiler",
+                     FACT_COMPILER, "flags", FACT_FLAGS, "sources", FACT_SOURCES, "dt",
+                     time_steps(&d), "seconds", number(d.seconds), "rows", t->nrow, "checksum",
+                     hex(d.sum), "inputs_checksum", hex(cases_checksum(cases)), "inputs",
+                     inputs(cases));
 }
 
 int sidecar_write(const Study *study, const Cases *cases, const char *dir, Fault *fault)

@@ -1,4 +1,4 @@
-/* sidecar.h: NAME.csv of a study and NAME.json beside it, which says where its numbers come from. */
+/* sidecar.h: NAME.csv of a study, and NAME.json, which says where its numbers come from. */
 #ifndef MPMLAB_SIDECAR_H
 #define MPMLAB_SIDECAR_H
 

@@ -51,8 +51,10 @@ static int write_notes(const Study *study, const char *dir, Fault *fault)
     char *path = text_of("%s/%s.var", dir, study->name);
     Check check = {.notes = file_begin(path, fault)};
     int code = check.notes ? check_study(&check, study, dir, fault) : FAULT_MACHINE;
-    if (check.notes && code) file_abandon(check.notes, path);
-    else if (check.notes) code = file_commit(check.notes, path, fault);
+    if (check.notes && code)
+        file_abandon(check.notes, path);
+    else if (check.notes)
+        code = file_commit(check.notes, path, fault);
     free(check.list);
     free(path);
     return code;
@@ -90,8 +92,10 @@ int study_run(const Study *study, const StudyOptions *o, Fault *fault)
     Journal journal;
     char *path = text_of("%s/%s.rows", o->dir, study->name);
     int code = folder_make(o->dir, fault);
-    if (code == 0) code = cases_build(&cases, study, o->quick, o->methods, o->dir, fault);
-    else cases = (Cases){0};
+    if (code == 0)
+        code = cases_build(&cases, study, o->quick, o->methods, o->dir, fault);
+    else
+        cases = (Cases){0};
     bool nothing = code == 0 && o->methods && cases.n == 0; /* none of its cases has the methods */
     if (code == 0 && !nothing) code = journal_open(&journal, path, fault);
     if (code == 0 && !nothing) {

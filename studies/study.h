@@ -12,9 +12,9 @@ typedef struct Cases Cases;
 typedef struct Check Check;
 
 typedef struct Study {
-    const char *name;   /* NAME.csv, plots/NAME.gp */
-    const char *figure; /* "W07-5" */
-    const char *about;  /* one line */
+    const char *name;                        /* NAME.csv, plots/NAME.gp */
+    const char *figure;                      /* "W07-5" */
+    const char *about;                       /* one line */
     void (*cases)(Cases *cases, bool quick); /* or NULL: then tables() writes NAME.csv itself */
     /* Tables that are not rows of runs (shape functions, drawings), written into dir; or NULL. */
     int (*tables)(const char *dir, bool quick, Fault *fault);

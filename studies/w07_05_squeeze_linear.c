@@ -1,9 +1,9 @@
 /* w07_05_squeeze_linear.c: how well particles report a linear velocity field to the grid when their
  * number per cell is anything but convenient. Wallstedt and Guilkey (2007), fig. 5.
  *
- * N particles fill 100 cells evenly and carry v = 1 + x. Both methods are exact where a whole number of
- * particles (or a half one) meets every cell, and wrong in between; the worst between two such points
- * falls with the particles per cell as PPC^-2 (MPM) and PPC^-3 (GIMP). */
+ * N particles fill 100 cells evenly and carry v = 1 + x. Both methods are exact where a whole
+ * number of particles (or a half one) meets every cell, and wrong in between; the worst between two
+ * such points falls with the particles per cell as PPC^-2 (MPM) and PPC^-3 (GIMP). */
 #include <math.h>
 #include <string.h>
 #include "study.h"
@@ -15,7 +15,8 @@ static void cases(Cases *list, bool quick)
 {
     for (int m = 0; m < 2; m++)
         for (int n = FEWEST; n <= MOST; n += quick ? 25 : 1)
-            case_add(list, "run squeeze --method %s --cells %d --set field=linear --set particles=%d",
+            case_add(list,
+                     "run squeeze --method %s --cells %d --set field=linear --set particles=%d",
                      methods[m], CELLS, n);
 }
 
@@ -61,8 +62,8 @@ static void check(Check *c, const Table *rows, const char *dir)
     double ppc[POINTS], error[POINTS];
     (void)dir;
     int n = curve(rows, "mpm", ppc, error);
-    claim(c, "W07-5.mpm-exponent", "MPM's worst errors fall as PPC^-2",
-          exponent(n, ppc, error, .5), -2.1, -1.9);
+    claim(c, "W07-5.mpm-exponent", "MPM's worst errors fall as PPC^-2", exponent(n, ppc, error, .5),
+          -2.1, -1.9);
     claim(c, "W07-5.mpm-zeros", "MPM is exact at whole and half particles per cell",
           worst_zero(n, ppc, error), 0, 1e-13);
     n = curve(rows, "gimp", ppc, error);

@@ -1,7 +1,8 @@
-/* check.h: tests as tables of functions; one main an executable, which ends with CUnit's summary.
+/* check.h: tests as tables of functions; one main an executable, which ends with CUnit's summary:
  *   static void test_x(void) { CU_ASSERT(...); }
- *   const TestCase some_tests[] = {{"what holds", test_x}, {NULL, NULL}};
- *   int main(void) { return check_run("tools", some_tests); }                                   */
+ *   static const TestCase some_tests[] = {{"what holds", test_x}, {NULL, NULL}};
+ *   int main(void) { ... suites[] = {{"some", some_tests}, {NULL, NULL}}; return check_run(suites);
+ */
 #ifndef MPMLAB_CHECK_H
 #define MPMLAB_CHECK_H
 
@@ -13,8 +14,13 @@ typedef struct TestCase {
     void (*run)(void);
 } TestCase;
 
-/* Runs the table as one suite. The process's exit status: 0, or 1 if anything failed. */
-int check_run(const char *suite, const TestCase *tests);
+typedef struct TestSuite {
+    const char *name;
+    const TestCase *tests;
+} TestSuite;
+
+/* Runs the suites (ended by a NULL name). The exit status: 0, or 1 if anything failed. */
+int check_run(const TestSuite *suites);
 
 /* |a - b| <= tolerance; NAN is never close. */
 #define CHECK_CLOSE(a, b, tolerance) CU_ASSERT(fabs((a) - (b)) <= (tolerance))
