@@ -12,7 +12,7 @@ SAN    =
 
 OPT    = -O3 $(ARCH) -ffp-contract=fast -fno-math-errno -fno-trapping-math
 WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Wstrict-prototypes \
-         -Wmissing-prototypes -Werror $(if $(OMP),,-Wno-unknown-pragmas)
+         -Wmissing-prototypes -Wno-psabi -Werror $(if $(OMP),,-Wno-unknown-pragmas)
 CFLAGS = -std=gnu11 -g $(OPT) $(OMP) $(SAN) $(WARN)
 LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
 

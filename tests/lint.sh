@@ -20,7 +20,9 @@ refuse() {
 }
 
 mapfile -t sources < <(ls {common,methods,problems,fem_ref,studies,tests}/*.[ch] 2>/dev/null)
-have clang-format && { clang-format --dry-run -Werror "${sources[@]}" || complain "format"; }
+have clang-format && for file in "${sources[@]}"; do
+    clang-format --dry-run -Werror "$file" 2>/dev/null || complain "$file: not as clang-format has it"
+done
 check() { # DIM, rooms
     cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
         --suppress=unknownMacro --suppress=missingInclude --suppress=ctunullpointer --suppress=uninitvar \
