@@ -72,10 +72,11 @@ int row_column_is_timing(int k)
 
 Row row_empty(void)
 {
+    const double nan = NAN;
     Row row;
     memset(&row, 0, sizeof row);
     for (int k = 0; k < row_columns(); k++)
-        if (!columns[k].is_text) *(double *)((char *)&row + columns[k].offset) = NAN;
+        if (!columns[k].is_text) memcpy((char *)&row + columns[k].offset, &nan, sizeof nan);
     return row;
 }
 

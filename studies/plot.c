@@ -2,9 +2,11 @@
 #define _GNU_SOURCE /* memfd_create */
 #include "plot.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <math.h>
 #include <signal.h>
 #include <spawn.h>
 #include <stdlib.h>
@@ -151,27 +153,46 @@ static int draw_format(const Study *study, const char *dir, const char *plots, c
     return code;
 }
 
-/* Modification time in seconds, or -1 if there is no such file. */
+static double seconds(struct timespec t)
+{
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Modification time of dir/name+ending [s], or -1 if there is no such file. */
 static double age(const char *dir, const char *name, const char *ending)
 {
     struct stat s;
     char *path = text_of("%s/%s%s", dir, name, ending);
     int there = stat(path, &s) == 0;
     free(path);
-    return there ? (double)s.st_mtim.tv_sec + 1e-9 * (double)s.st_mtim.tv_nsec : -1;
+    return there ? seconds(s.st_mtim) : -1;
+}
+
+/* Is this file one that the study's figure is drawn from: NAME.var, NAME.csv, NAME.more.csv? */
+static bool is_input(const char *file, const char *name)
+{
+    size_t n = strlen(name);
+    const char *ending = strrchr(file, '.');
+    return strncmp(file, name, n) == 0 && ending &&
+           (strcmp(ending, ".csv") == 0 || strcmp(ending, ".var") == 0);
+}
+
+/* When the youngest of them was written [s]. */
+static double newest_input(const char *dir, const char *name)
+{
+    double newest = 0;
+    DIR *d = opendir(dir);
+    for (struct dirent *e; d && (e = readdir(d));)
+        if (is_input(e->d_name, name)) newest = fmax(newest, age(dir, e->d_name, ""));
+    if (d) closedir(d);
+    return newest;
 }
 
 static bool is_fresh(const Study *study, const char *dir, const char *plots)
 {
-    const double inputs[] = {age(dir, study->name, ".csv"), age(dir, study->name, ".var"),
-                             age(plots, study->name, ".gp"), age(plots, "style", ".gp")};
-    for (int f = 0; f < FORMATS; f++)
-        for (int k = 0; k < 4; k++) {
-            char ending[8];
-            snprintf(ending, sizeof ending, ".%s", formats[f]);
-            if (!(age(dir, study->name, ending) > inputs[k])) return false;
-        }
-    return true;
+    double inputs = fmax(age(plots, study->name, ".gp"), age(plots, "style", ".gp"));
+    inputs = fmax(inputs, newest_input(dir, study->name));
+    return age(dir, study->name, ".svg") > inputs && age(dir, study->name, ".png") > inputs;
 }
 
 int plot_study(const Study *study, const char *dir, Fault *fault)
