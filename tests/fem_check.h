@@ -1,0 +1,17 @@
+/* fem_check.h: what the tests of the FEM share. */
+#ifndef MPMLAB_FEM_CHECK_H
+#define MPMLAB_FEM_CHECK_H
+
+#include "../fem_ref/fem.h"
+#include "check.h"
+
+static inline Fem *make(const Scene *s, int cells, int threads)
+{
+    Fault fault = {0};
+    Setup setup = {.scene = s, .cells = cells, .integrator = CD, .threads = threads};
+    Fem *f = solver_fem.make(&setup, &fault);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    return f;
+}
+
+#endif
