@@ -82,7 +82,7 @@ $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -c -o $@ $<
 
-$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files check) $(TEST_OBJECTS)
+$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files test_study check) $(TEST_OBJECTS)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 
 test: all $(UNIT_TESTS)

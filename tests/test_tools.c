@@ -186,10 +186,11 @@ static const TestCase tools_tests[] = {
     {NULL, NULL},
 };
 
-extern const TestCase files_tests[];
+extern const TestCase files_tests[], study_tests[];
 
 int main(void)
 {
-    const TestSuite suites[] = {{"tools", tools_tests}, {"files", files_tests}, {NULL, NULL}};
+    const TestSuite suites[] = {
+        {"tools", tools_tests}, {"files", files_tests}, {"study", study_tests}, {NULL, NULL}};
     return check_run(suites);
 }

@@ -1,0 +1,124 @@
+/* test_study.c: the study engine on a small study of its own: files, repeats, faults, verdicts. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "../studies/claims.h"
+#include "../studies/study_run.h"
+#include "check.h"
+
+static const char dir[] = "scratch/study";
+
+static void cases(Cases *list, bool quick)
+{
+    case_add_with(list, "history", "tiny.history.csv", "run bar --cells 8 --set steps=%d", 3);
+    case_add(list, "run bar --cells 8 --set steps=3");
+    case_add(list, "run bar --cells 8 --set steps=3 --method mpm");
+    if (!quick) case_add(list, "run bar --cells 16 --set steps=3 --threads=1");
+}
+
+static void check(Check *c, const Table *rows, const char *folder)
+{
+    const char *const where[] = {"cells=8", "method=gimp"};
+    double steps[4];
+    CHECK_TEXT(folder, dir);
+    claim(c, "T.rows", "a repeated case is a row each time",
+          rows_pick(rows, 2, where, "steps", 4, steps), 2, 2);
+    claim(c, "T.fails", "out of bounds", 3, 0, 2);
+    claim(c, "T.nan", "not there", NAN, -INFINITY, INFINITY);
+    claim_differs(c, "T.holds", "holds", 1, 0, 2, 5, 6, "reason");
+    claim_differs(c, "T.differs", "as seen", 5.5, 0, 2, 5, 6, "reason");
+    claim_differs(c, "T.neither", "neither", 4, 0, 2, 5, 6, "reason");
+    claim_differs(c, "T.nan-too", "not there", NAN, 0, 2, 5, 6, "reason");
+    note_number(c, "a-note", .1);
+}
+
+static const Study tiny = {
+    .name = "tiny", .figure = "T", .about = "a test", .cases = cases, .check = check};
+
+static const StudyOptions options = {.dir = dir, .jobs = 2};
+
+static void test_verdicts(void)
+{
+    static const Verdict expected[] = {PASS, FAIL, FAIL, PASS, DIFFERS, FAIL, FAIL};
+    Check c = {0};
+    Fault f;
+    CU_ASSERT_FATAL(study_run(&tiny, &options, &f) == 0);
+    CU_ASSERT_FATAL(check_study(&c, &tiny, dir, &f) == 0);
+    CU_ASSERT_FATAL(c.n == 7);
+    for (int k = 0; k < c.n; k++) CU_ASSERT(c.list[k].verdict == expected[k]);
+    CHECK_TEXT(c.list[4].reason, "reason");
+    CU_ASSERT(strlen(c.list[2].reason) > 0);
+    free(c.list);
+}
+
+static void test_notes(void)
+{
+    char text[512] = "";
+    FILE *f = fopen("scratch/study/tiny.var", "r");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    size_t n = fread(text, 1, sizeof text - 1, f);
+    fclose(f);
+    CU_ASSERT(n > 0 && strstr(text, "T_rows = 2\n") && strstr(text, "T_nan = NaN\n"));
+    CU_ASSERT_PTR_NOT_NULL(strstr(text, "a_note = 0.1\n"));
+}
+
+static off_t size_of(const char *path)
+{
+    struct stat s;
+    return stat(path, &s) == 0 ? s.st_size : -1;
+}
+
+static void test_file_comes_back(void)
+{
+    const char history[] = "scratch/study/tiny.history.csv", rows[] = "scratch/study/tiny.rows";
+    const off_t before = size_of(rows), length = size_of(history);
+    CU_ASSERT(before > 0 && length > 0);
+    CU_ASSERT(study_run(&tiny, &options, NULL) == 0 && size_of(rows) == before);
+    unlink(history);
+    CU_ASSERT(study_run(&tiny, &options, NULL) == 0);
+    CU_ASSERT(size_of(history) == length && size_of(rows) > before);
+    Table *t = table_read("scratch/study/tiny.csv", NULL);
+    CU_ASSERT(t && t->nrow == 4);
+    table_free(t);
+}
+
+static void test_counts(void)
+{
+    CU_ASSERT(study_case_count(&tiny, false) == 4);
+    CU_ASSERT(study_case_count(&tiny, true) == 3);
+}
+
+static void wrong_run(Cases *list, bool quick)
+{
+    case_add(list, "run bar --cells %d", quick ? 0 : -1);
+    case_add(list, "run baar");
+}
+
+static void wrong_kind(Cases *list, bool quick)
+{
+    (void)quick;
+    case_add_with(list, "histories", "x.csv", "run bar");
+}
+
+static void test_wrong_pages(void)
+{
+    Study page = {.name = "wrong", .cases = wrong_run};
+    Fault f = {0};
+    CU_ASSERT(study_run(&page, &options, &f) == FAULT_USAGE);
+    CU_ASSERT(strstr(f.text, "study wrong") && strstr(f.text, "'-1'"));
+    page.cases = wrong_kind;
+    CU_ASSERT(study_run(&page, &options, &f) == FAULT_USAGE && strstr(f.text, "'histories'"));
+    CU_ASSERT(size_of("scratch/study/wrong.csv") == -1);
+}
+
+const TestCase study_tests[] = {
+    {"verdicts", test_verdicts},
+    {"notes for the figure", test_notes},
+    {"a file that is gone is made again", test_file_comes_back},
+    {"number of cases", test_counts},
+    {"a wrong page is a fault", test_wrong_pages},
+    {NULL, NULL},
+};
