@@ -1,4 +1,5 @@
 /* engine.c: this dimension as the program sees it: the one symbol that stays visible. */
+#include <math.h>
 #include <string.h>
 #include "resolve.h"
 
@@ -67,17 +68,18 @@ static int describe(const char *name, FILE *out)
 /* A chunk of one position; the other 63 see the same. */
 static int weight(const char *name, double x, double l, double *S, double *G)
 {
+    const Axis open_axis = {-INFINITY, INFINITY};
     Field at, half;
     Stencil s;
     for (int p = 0; p < CHUNK; p++) at[p] = x + MAX_WIDTH, half[p] = l;
     for (const Method *const *m = methods; *m; m++) {
         if (strcmp((*m)->info.name, name)) continue;
         const int width = (*m)->width(l);
-        (*m)->shape(width, at, half, &s);
+        (*m)->shape(&open_axis, width, at, half, &s);
         const int node = MAX_WIDTH - s.base[0];
         const bool seen = node >= 0 && node < width;
-        *S = seen ? s.S[seen ? node : 0][0] : 0;
-        *G = seen ? s.G[seen ? node : 0][0] : 0;
+        *S = seen ? s.table[T_S][seen ? node : 0][0] : 0;
+        *G = seen ? s.table[T_G][seen ? node : 0][0] : 0;
         return 0;
     }
     return -1;

@@ -28,18 +28,6 @@ double wave_speed_bound(const Material *m)
     return sqrt((m->lambda + 3 * m->mu) / m->rho);
 }
 
-double determinant(const Mat F)
-{
-    if (DIM == 1) return F[0];
-    if (DIM == 2) return F[0] * F[DIM + 1] - F[1] * F[DIM];
-    double det = 0;
-    for (int a = 0; a < DIM; a++) { /* first row times its cofactors, cyclic */
-        int b = (a + 1) % DIM, c = (a + 2) % DIM;
-        det += F[a] * (F[DIM + b] * F[NMAT - DIM + c] - F[DIM + c] * F[NMAT - DIM + b]);
-    }
-    return det;
-}
-
 static inline void load(const double *const F[NMAT], int p, Mat out)
 {
     for (int k = 0; k < NMAT; k++) out[k] = F[k][p];

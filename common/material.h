@@ -31,6 +31,16 @@ void stored_energy(const Material *m, int n, const double *const F[NMAT], double
 /* sigma_zz of plane strain [Pa] = (T_zz)/J: lambda ln J / J; 0 in 1D. */
 double out_of_plane_stress(const Material *m, const Mat F);
 
-double determinant(const Mat F);
+static inline double determinant(const Mat F)
+{
+    double det = 0;
+    if (DIM == 1) return F[0];
+    if (DIM == 2) return F[0] * F[NMAT - 1] - F[1 % NMAT] * F[DIM % NMAT];
+    for (int a = 0; a < DIM; a++) { /* first row times its cofactors, cyclic */
+        const int b = (a + 1) % DIM, c = (a + 2) % DIM;
+        det += F[a] * (F[(DIM + b) % NMAT] * F[NMAT - DIM + c] - F[(DIM + c) % NMAT] * F[NMAT - DIM + b]);
+    }
+    return det;
+}
 
 #endif

@@ -39,12 +39,18 @@ typedef struct Chunk {
     const int *id;
 } Chunk;
 
-/* Stencils of one axis of a chunk. Positions and half widths in cells, from node 0. */
+/* The tables of one axis of a chunk: for node base + k and particle p, at distance r = x_i - x_p. */
+enum { T_S, T_G, T_R, T_Q, TABLES }; /* S [-], G = dS/dx_p [1/cell], R = S r [cell], Q = S r^2 */
+
 typedef struct Stencil {
-    int base[CHUNK];       /* first node that each particle sees */
-    Field S[MAX_WIDTH];    /* [-] weight of node base + k */
-    Field G[MAX_WIDTH];    /* [1/cell] its derivative by the particle's position */
+    int base[CHUNK]; /* first node that each particle sees */
+    Field table[TABLES][MAX_WIDTH];
 } Stencil;
+
+/* What a shape may know of its axis: where walls stand, in cells from node 0 (or +-infinity). */
+typedef struct Axis {
+    double wall_lo, wall_hi;
+} Axis;
 
 /* What a chunk deposits. */
 typedef struct Payload {
@@ -59,6 +65,7 @@ typedef struct Method {
     int integrator[4];     /* default by dimension, [0] unused */
     bool keeps_L;          /* the particle carries its velocity gradient from step to step */
     bool affine;           /* payload fills B */
+    bool moments;          /* update also reads the moments of v about the particle */
     bool linear_exact;     /* projects linear fields exactly from any particle set */
     bool surface;          /* needs surface particles */
     bool smooth;           /* weights are C1: S ~ eps^2, dS/dx ~ eps at the edge of a support */
@@ -66,14 +73,16 @@ typedef struct Method {
     /* Nodes per axis for half widths up to b [cells]; at most MAX_WIDTH. */
     int (*width)(double b);
 
-    /* Weights of one axis: positions x and half widths b [cells]. */
-    void (*shape)(int width, const Field x, const Field b, Stencil *out);
+    /* S, G and base of one axis: positions x and half widths b [cells]. */
+    void (*shape)(const Axis *axis, int width, const Field x, const Field b, Stencil *out);
 
     /* A (and B) from the particles; T is V0 J sigma / h [N] (G is per cell), or zero. */
     void (*payload)(const Chunk *c, const Field T[NMAT], Payload *out);
 
-    /* Particles from the gathered sums, over dt [s]; `take`: TAKE_*. */
-    void (*update)(const Chunk *c, const Field sums[LANES], double dt, unsigned take);
+    /* Particles from the gathered sums, over dt [s]; `take`: TAKE_*. With `moments` a second line
+     * follows: lane LANES + FLUX + b DIM + a is sum_i S v_a (x_i - x_p)_b [m^2/s], lane LANES + d is
+     * D_d = sum_i S (x_i - x_p)_d^2 [m^2]. */
+    void (*update)(const Chunk *c, const Field sums[], double dt, unsigned take);
 } Method;
 
 /* NULL-terminated, in registry order; methods/registry.c. */

@@ -19,7 +19,7 @@ typedef struct Work {
     Stencil stencil[DIM];
     Payload payload;
     Field T[NMAT];
-    Field sums[LANES];
+    Field sums[2 * LANES];
     Field body[DIM];
     Line A[CHUNK], B[DIM][CHUNK]; /* payload by particle; slopes per cell */
 } Work;
@@ -49,21 +49,50 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
             for (int p = 0; p < CHUNK; p++) most = w->b[d][p] > most ? w->b[d][p] : most;
     }
     const int width = method->width(most);
-    for (int d = 0; d < DIM; d++) method->shape(width, w->x[d], w->b[d], &w->stencil[d]);
+    for (int d = 0; d < DIM; d++) method->shape(&sim->g.axis[d], width, w->x[d], w->b[d], &w->stencil[d]);
     return width;
 }
 
-/* 1 in the lanes that carry the derivative along axis d, 0 elsewhere. */
-static inline Line gradient_lanes(int d)
+/* R = S r and Q = S r^2 of every axis, for moments. */
+static inline void make_moments(Work *w, int width)
 {
-    Line e;
-    for (int l = 0; l < LANES; l++) e[l] = l >= FLUX && (l - FLUX) / DIM == d;
-    return e;
+    for (int d = 0; d < DIM; d++) {
+        Stencil *s = &w->stencil[d];
+        for (int k = 0; k < width; k++)
+            for (int p = 0; p < CHUNK; p++) {
+                const double r = s->base[p] + k - w->x[d][p];
+                s->table[T_R][k][p] = s->table[T_S][k][p] * r;
+                s->table[T_Q][k][p] = s->table[T_S][k][p] * r * r;
+            }
+    }
 }
 
-static inline Line axis_weight(const Stencil *s, int k, int p, Line plain, Line gradient)
+/* Which table each lane takes on each axis: e[d][t] is 1 in the lanes that take table t, else 0. */
+typedef struct Pattern {
+    Line e[DIM][TABLES];
+} Pattern;
+
+/* The usual one: S everywhere, but in the lanes FLUX + b DIM + a the given table on axis b. */
+static inline Pattern flux_pattern(int table)
 {
-    return s->S[k][p] * plain + s->G[k][p] * gradient;
+    Pattern q;
+    for (int d = 0; d < DIM; d++)
+        for (int t = 0; t < TABLES; t++)
+            for (int l = 0; l < LANES; l++) {
+                const int own = l >= FLUX && (l - FLUX) / DIM == d ? table : T_S;
+                q.e[d][t][l] = own == t;
+            }
+    return q;
+}
+
+/* Lanes of weights of one node on one axis; `tables` (bit t: table t occurs) is a constant. */
+static inline __attribute__((always_inline)) Line axis_weight(const Stencil s[DIM], int d, int k, int p,
+                                                              const Pattern *q, const unsigned tables)
+{
+    Line w = s[d].table[T_S][k][p] * q->e[d][T_S];
+    for (int t = 1; t < TABLES; t++)
+        if (tables >> t & 1) w += s[d].table[t][k][p] * q->e[d][t];
+    return w;
 }
 
 /* What a particle's loop over nodes runs on: row weights and row starts, for `width` nodes an axis. */
@@ -80,28 +109,13 @@ static inline size_t row_start(const Grid *g, const Stencil s[DIM], int p, int w
     return row * (size_t)g->n[0] + (size_t)s[0].base[p];
 }
 
-typedef struct Lanes {
-    Line plain[DIM], gradient[DIM];
-} Lanes;
-
-static inline Lanes make_lanes(void)
+/* Product of the weights of all axes but the first, for row r (DIM > 1). */
+static inline __attribute__((always_inline)) Line row_weight(const Stencil s[DIM], const Pattern *q,
+                                                             int p, int width, int r,
+                                                             const unsigned tables)
 {
-    Lanes l;
-    for (int d = 0; d < DIM; d++) {
-        l.gradient[d] = gradient_lanes(d);
-        l.plain[d] = 1 - l.gradient[d];
-    }
-    return l;
-}
-
-/* Product of the weights of all axes but the first, for row r. */
-static inline __attribute__((always_inline)) Line row_weight(const Stencil s[DIM], const Lanes *e,
-                                                             int p, int width, int r)
-{
-    Line y = axis_weight(&s[DIM > 1], DIM == 2 ? r : r % width, p, e->plain[DIM > 1],
-                         e->gradient[DIM > 1]);
-    for (int d = 2; d < DIM; d++)
-        y *= axis_weight(&s[d], r / width, p, e->plain[d], e->gradient[d]);
+    Line y = axis_weight(s, DIM > 1, DIM == 2 ? r : r % width, p, q, tables);
+    for (int d = 2; d < DIM; d++) y *= axis_weight(s, d, r / width, p, q, tables);
     return y;
 }
 
@@ -109,11 +123,11 @@ static inline __attribute__((always_inline)) Line row_weight(const Stencil s[DIM
 static inline __attribute__((always_inline)) void deposit(Grid *g, const Work *w, const int width,
                                                           const bool affine)
 {
-    const Lanes e = make_lanes();
+    const Pattern q = flux_pattern(T_G);
+    const unsigned tables = 1u << T_G;
     for (int p = 0; p < CHUNK; p++) {
         Line x[MAX_WIDTH];
-        for (int i = 0; i < width; i++)
-            x[i] = axis_weight(&w->stencil[0], i, p, e.plain[0], e.gradient[0]);
+        for (int i = 0; i < width; i++) x[i] = axis_weight(w->stencil, 0, i, p, &q, tables);
         FOR_ROWS(r, width)
         {
             Line *node = g->node + row_start(g, w->stencil, p, width, r);
@@ -122,7 +136,7 @@ static inline __attribute__((always_inline)) void deposit(Grid *g, const Work *w
             for (int d = 2; affine && d < DIM; d++) value += (double)(r / width) * w->B[d][p];
             if (affine) slope = w->B[0][p];
             if (DIM > 1) {
-                const Line y = row_weight(w->stencil, &e, p, width, r);
+                const Line y = row_weight(w->stencil, &q, p, width, r, tables);
                 value *= y;
                 if (affine) slope *= y;
             }
@@ -134,19 +148,21 @@ static inline __attribute__((always_inline)) void deposit(Grid *g, const Work *w
     }
 }
 
-static inline __attribute__((always_inline)) void gather(const Grid *g, Work *w, const int width)
+/* A_p[lane] = sum_i w node[lane], the lanes from FLUX on weighted with the given table: T_G, T_R. */
+static inline __attribute__((always_inline)) void gather(const Grid *g, Work *w, const int width,
+                                                         const int table)
 {
-    const Lanes e = make_lanes();
+    const Pattern q = flux_pattern(table);
+    const unsigned tables = 1u << table;
     for (int p = 0; p < CHUNK; p++) {
         Line x[MAX_WIDTH], sum = {0};
-        for (int i = 0; i < width; i++)
-            x[i] = axis_weight(&w->stencil[0], i, p, e.plain[0], e.gradient[0]);
+        for (int i = 0; i < width; i++) x[i] = axis_weight(w->stencil, 0, i, p, &q, tables);
         FOR_ROWS(r, width)
         {
             const Line *node = g->node + row_start(g, w->stencil, p, width, r);
             Line row = x[0] * node[0];
             for (int i = 1; i < width; i++) row += x[i] * node[i];
-            if (DIM > 1) row *= row_weight(w->stencil, &e, p, width, r);
+            if (DIM > 1) row *= row_weight(w->stencil, &q, p, width, r, tables);
             sum += row;
         }
         w->A[p] = sum;
@@ -162,11 +178,11 @@ static inline __attribute__((always_inline)) void deposit_force(Grid *g, const W
         {
             double y = 1;
             for (int d = 1; d < DIM; d++)
-                y *= w->stencil[d].S[d == 1 ? r % width : r / width][p];
+                y *= w->stencil[d].table[T_S][d == 1 ? r % width : r / width][p];
             double *force = g->force + DIM * row_start(g, w->stencil, p, width, r);
             for (int i = 0; i < width; i++)
                 for (int a = 0; a < DIM; a++)
-                    force[i * DIM + a] += w->stencil[0].S[i][p] * y * w->body[a][p];
+                    force[i * DIM + a] += w->stencil[0].table[T_S][i][p] * y * w->body[a][p];
         }
 }
 
@@ -190,13 +206,25 @@ static inline void pack_payload(const Sim *sim, Work *w, bool affine)
         }
 }
 
-/* Sums from lines to fields; derivatives from per cell to per metre. */
-static inline void unpack_sums(const Sim *sim, Work *w)
+/* Sums from lines to fields, from lane `at` on; the lanes from FLUX on are scaled: per cell to per
+ * metre for derivatives, cells to metres for moments. */
+static inline void unpack_sums(Work *w, int at, double scale)
 {
     for (int p = 0; p < CHUNK; p++)
-        for (int l = 0; l < LANES; l++) w->sums[l][p] = w->A[p][l];
+        for (int l = 0; l < LANES; l++) w->sums[at + l][p] = w->A[p][l];
     for (int l = FLUX; l < LANES; l++)
-        for (int p = 0; p < CHUNK; p++) w->sums[l][p] *= sim->g.cells;
+        for (int p = 0; p < CHUNK; p++) w->sums[at + l][p] *= scale;
+}
+
+/* D_d = sum_k S r^2 [m^2] into the first lanes of the second line. */
+static inline void spread(const Sim *sim, Work *w, int width)
+{
+    for (int d = 0; d < DIM; d++)
+        for (int p = 0; p < CHUNK; p++) {
+            double sum = 0;
+            for (int k = 0; k < width; k++) sum += w->stencil[d].table[T_Q][k][p];
+            w->sums[LANES + d][p] = sum * sim->dx * sim->dx;
+        }
 }
 
 #endif

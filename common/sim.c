@@ -116,15 +116,18 @@ static void set_walls(Sim *sim)
 {
     Grid *g = &sim->g;
     const Scene *scene = sim->setup->scene;
-    for (int d = 0; d < DIM; d++)
+    for (int d = 0; d < DIM; d++) {
+        g->axis[d] = (Axis){-INFINITY, INFINITY};
         for (int k = 0; k < scene->nwall; k++) {
             const Wall *w = &scene->wall[k];
             const int at = (int)lround(w->at * g->cells) - g->origin[d];
             if (w->axis != d) continue;
+            if (!w->mirror) *(w->side < 0 ? &g->axis[d].wall_lo : &g->axis[d].wall_hi) = at;
             if (w->mirror) g->mirror[g->nmirror++] = (Mirror){d, at, w->side};
             for (int i = 0; i < g->n[d] && !w->mirror; i++)
                 if (w->side * (i - at) >= 0) g->hold[d][i] |= (unsigned char)w->hold;
         }
+    }
 }
 
 static void fill_particles(Sim *sim, const Layout *layout)

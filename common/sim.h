@@ -50,6 +50,7 @@ typedef struct Grid {
     Line *node;                /* [rows * n[0]] lanes: dim.h */
     double *force;             /* [rows * n[0]][DIM] body force [N], or NULL */
     double *mass;              /* [rows * n[0]] copy for who looks at nodes, or NULL */
+    Axis axis[DIM];            /* where walls stand, for shapes that fold their weights there */
     unsigned char *hold[DIM];  /* [n[d]] bit a: component a is held at this index of axis d */
     Mirror mirror[2 * DIM];    /* by axis */
     int nmirror;

@@ -124,18 +124,33 @@ static void inspect_chunk(const Sim *sim, const Chunk *c, const Work *w, Extreme
     }
 }
 
+static inline __attribute__((always_inline)) void gather_line(const Grid *g, Work *w, int width, const int table)
+{
+    if (width == 2)
+        gather(g, w, 2, table);
+    else if (width == 3)
+        gather(g, w, 3, table);
+    else
+        gather(g, w, width, table);
+}
+
+static void gather_moments(const Sim *sim, Work *w, int width)
+{
+    make_moments(w, width);
+    gather_line(&sim->g, w, width, T_R);
+    unpack_sums(w, LANES, sim->dx);
+    spread(sim, w, width);
+}
+
 static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Extremes *e)
 {
+    const Method *method = sim->setup->method;
     const Chunk c = sim_chunk(sim, k);
     const int width = make_stencils(sim, &c, w);
-    if (width == 2)
-        gather(&sim->g, w, 2);
-    else if (width == 3)
-        gather(&sim->g, w, 3);
-    else
-        gather(&sim->g, w, width);
-    unpack_sums(sim, w);
-    sim->setup->method->update(&c, (const Field *)w->sums, dt, take);
+    gather_line(&sim->g, w, width, T_G);
+    unpack_sums(w, 0, sim->g.cells);
+    if (method->moments) gather_moments(sim, w, width);
+    method->update(&c, (const Field *)w->sums, dt, take);
     if (take & (TAKE_X | TAKE_F | MOVE_STASH)) inspect_chunk(sim, &c, w, e);
 }
 

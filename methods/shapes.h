@@ -17,14 +17,14 @@ static inline int tent_width(double b)
 }
 
 /* The cell is chosen by floor(x), never by the sign of r, so that a particle on a node has one. */
-static inline void tent_shape(int width, const Field x, const Field b, Stencil *out)
+static inline void tent_shape(const Axis *axis, int width, const Field x, const Field b, Stencil *out)
 {
-    (void)width, (void)b;
+    (void)axis, (void)width, (void)b;
     for (int p = 0; p < CHUNK; p++) {
         double c = floor(x[p]), f = x[p] - c;
         out->base[p] = (int)c;
-        out->S[0][p] = 1 - f, out->S[1][p] = f;
-        out->G[0][p] = -1, out->G[1][p] = 1;
+        out->table[T_S][0][p] = 1 - f, out->table[T_S][1][p] = f;
+        out->table[T_G][0][p] = -1, out->table[T_G][1][p] = 1;
     }
 }
 
@@ -34,35 +34,47 @@ static inline int gimp_width(double b)
     return b <= 0.5 ? 3 : 2 * ((int)ceil(1.5 + b) - 1) + 1;
 }
 
+/* Comparisons that vectorize; NaN comes out as `limit`, and the position's check finds it. */
+static inline double at_most(double x, double limit)
+{
+    return x < limit ? x : limit;
+}
+
+static inline double at_least(double x, double limit)
+{
+    return x > limit ? x : limit;
+}
+
 /* b <= 1/2, free of branches: a is r cut off at +-b. */
 static inline void gimp_shape_3(const Field x, const Field b, Stencil *out)
 {
     for (int p = 0; p < CHUNK; p++) {
         double c = floor(x[p] + 0.5), r = x[p] - c;
-        double a = fmin(fmax(r, -b[p]), b[p]), q = 0.25 / b[p];
-        double up = (b[p] + a) * (b[p] + a) * q + (r > a ? r - a : 0);
-        double down = (b[p] - a) * (b[p] - a) * q + (a > r ? a - r : 0);
+        double a = at_most(at_least(r, -b[p]), b[p]), q = 0.25 / b[p];
+        double up = (b[p] + a) * (b[p] + a) * q + at_least(r - a, 0);
+        double down = (b[p] - a) * (b[p] - a) * q + at_least(a - r, 0);
         out->base[p] = (int)c - 1;
-        out->S[0][p] = down, out->S[1][p] = 1 - up - down, out->S[2][p] = up;
-        out->G[0][p] = -2 * q * (b[p] - a);
-        out->G[1][p] = -4 * q * a;
-        out->G[2][p] = 2 * q * (b[p] + a);
+        out->table[T_S][0][p] = down, out->table[T_S][1][p] = 1 - up - down, out->table[T_S][2][p] = up;
+        out->table[T_G][0][p] = -2 * q * (b[p] - a);
+        out->table[T_G][1][p] = -4 * q * a;
+        out->table[T_G][2][p] = 2 * q * (b[p] + a);
     }
 }
 
 static inline double tent_integral(double z)
 {
-    double c = fmin(fmax(z, -1), 1);
+    double c = at_most(at_least(z, -1), 1);
     return c - 0.5 * c * fabs(c);
 }
 
 static inline double tent(double z)
 {
-    return fmax(1 - fabs(z), 0);
+    return at_least(1 - fabs(z), 0);
 }
 
-static inline void gimp_shape(int width, const Field x, const Field b, Stencil *out)
+static inline void gimp_shape(const Axis *axis, int width, const Field x, const Field b, Stencil *out)
 {
+    (void)axis;
     if (width == 3) {
         gimp_shape_3(x, b, out);
         return;
@@ -71,8 +83,8 @@ static inline void gimp_shape(int width, const Field x, const Field b, Stencil *
     for (int k = 0; k < width; k++)
         for (int p = 0; p < CHUNK; p++) {
             double r = x[p] - (out->base[p] + k), q = 0.5 / b[p];
-            out->S[k][p] = q * (tent_integral(r + b[p]) - tent_integral(r - b[p]));
-            out->G[k][p] = q * (tent(r + b[p]) - tent(r - b[p]));
+            out->table[T_S][k][p] = q * (tent_integral(r + b[p]) - tent_integral(r - b[p]));
+            out->table[T_G][k][p] = q * (tent(r + b[p]) - tent(r - b[p]));
         }
 }
 

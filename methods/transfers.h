@@ -29,7 +29,7 @@ static inline void gradient_payload(const Chunk *c, const Field T[NMAT], Payload
 }
 
 /* Positions: x += dt v_grid, at once or in two halves around a re-projection. */
-static inline void take_position(const Chunk *c, const Field sums[LANES], double dt, unsigned take)
+static inline void take_position(const Chunk *c, const Field sums[], double dt, unsigned take)
 {
     for (int a = 0; a < DIM; a++) {
         if (take & TAKE_X)
@@ -42,7 +42,7 @@ static inline void take_position(const Chunk *c, const Field sums[LANES], double
 }
 
 /* F += dt L F with L_ab = dv_a/dx_b; L is kept if the method asked for it. */
-static inline void take_gradient(const Chunk *c, const Field sums[LANES], double dt, unsigned take)
+static inline void take_gradient(const Chunk *c, const Field sums[], double dt, unsigned take)
 {
     if ((take & (TAKE_F | TAKE_L)) && c->L[0])
         for (int a = 0; a < DIM; a++)
@@ -64,7 +64,7 @@ static inline void take_gradient(const Chunk *c, const Field sums[LANES], double
 }
 
 /* FLIP: v += dt a, W11 eqs 27-30. */
-static inline void flip_update(const Chunk *c, const Field sums[LANES], double dt, unsigned take)
+static inline void flip_update(const Chunk *c, const Field sums[], double dt, unsigned take)
 {
     if (take & TAKE_V)
         for (int a = 0; a < DIM; a++)
