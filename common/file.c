@@ -26,7 +26,8 @@ static int open_nameless(const char *path)
     return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
 }
 
-/* Devices and pipes are written straight: they have nothing to keep whole, and must not be replaced. */
+/* Devices and pipes are written straight: they have nothing to keep whole, and must not be
+ * replaced. */
 static int is_special(const char *path)
 {
     struct stat s;
@@ -38,7 +39,8 @@ FILE *file_begin(const char *path, Fault *fault)
     char temporary[PATH_MAX];
     beside(path, temporary);
     int fd = is_special(path) ? open(path, O_WRONLY | O_CLOEXEC) : open_nameless(path);
-    if (fd < 0 && !is_special(path)) fd = open(temporary, O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666);
+    if (fd < 0 && !is_special(path))
+        fd = open(temporary, O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666);
     FILE *f = fd < 0 ? NULL : fdopen(fd, is_special(path) ? "w" : "w+");
     if (!f) fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
     return f;

@@ -27,7 +27,7 @@ check() { # DIM, rooms
     cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
         --suppress=unknownMacro --suppress=missingInclude --suppress=ctunullpointer --suppress=uninitvar \
         --suppress=arrayIndexOutOfBounds `# it does not follow branches on DIM` \
-        --error-exitcode=1 -j "$(nproc)" "-DDIM=$@" || complain "cppcheck, DIM=$1"
+        --error-exitcode=1 -j "$(nproc)" "-DDIM=$1" "${@:2}" || complain "cppcheck, DIM=$1"
 }
 have cppcheck && { check 1 common methods; check 2 common methods problems fem_ref studies tests; }
 
