@@ -1,6 +1,6 @@
 /* mirror.c: symmetry lines by folding nodes: as if the mirrored particles were there.
- * With ghost i' the image of node i: a deposit of the mirrored body at i is the parity times the real
- * deposit at i'; on the line itself it is the parity times its own. */
+ * With ghost i' the image of node i: a deposit of the mirrored body at i is the parity times the
+ * real deposit at i'; on the line itself it is the parity times its own. */
 #include <limits.h>
 #include "sim.h"
 
@@ -28,7 +28,8 @@ static Line gather_parity(int axis)
 
 typedef void Visit(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row, double dt);
 
-static void fold_node(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row, double dt)
+static void fold_node(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
+                      double dt)
 {
     Grid *g = &sim->g;
     (void)image_row, (void)dt;
@@ -55,13 +56,14 @@ bool grid_is_ghost_row(const Grid *g, int row, int above)
         const Mirror *m = &g->mirror[k];
         int stride = 1;
         for (int d = 1; d < m->axis; d++) stride *= g->n[d];
-        if (DIM > 1 && m->axis > above && m->side * (row / stride % g->n[m->axis] - m->at) > 0) return true;
+        if (DIM > 1 && m->axis > above && m->side * (row / stride % g->n[m->axis] - m->at) > 0)
+            return true;
     }
     return false;
 }
 
-/* All pairs of live ghost and image nodes of one mirror line, the line's own nodes included. Rows that
- * are ghosts of a later axis are left out on the way back: that axis will fill them whole. */
+/* All pairs of live ghost and image nodes of one mirror line, the line's own nodes included. Rows
+ * that are ghosts of a later axis are left out on the way back: that axis will fill them whole. */
 static void visit_pairs(Sim *sim, const Mirror *m, Visit *visit, double dt)
 {
     Grid *g = &sim->g;

@@ -1,7 +1,7 @@
 /* run.c: see run.h. The time loop around a solver, with norms and ledger outside the clock.
  *
- * Velocities live half a step after positions, so the kinetic energy and the power of body forces at
- * t_n are means of those before and after step n; the last instant takes one step more for that,
+ * Velocities live half a step after positions, so the kinetic energy and the power of body forces
+ * at t_n are means of those before and after step n; the last instant takes one step more for that,
  * whose result is thrown away. */
 #include <math.h>
 #include <stdio.h>
@@ -19,17 +19,17 @@ typedef struct Loop {
     Scratch scratch;
     FILE *history;
     double dt;
-    long n, done;                /* steps planned and finished */
-    double cpu, wall;            /* [s] inside the solver's step */
-    Errors worst;                /* running maxima */
-    double start, now, largest;  /* K + S - W at the start and now, largest K + S */
-    double work, power;          /* [J] and [W] at the last instant */
+    long n, done;               /* steps planned and finished */
+    double cpu, wall;           /* [s] inside the solver's step */
+    Errors worst;               /* running maxima */
+    double start, now, largest; /* K + S - W at the start and now, largest K + S */
+    double work, power;         /* [J] and [W] at the last instant */
     Vec p0;
-    double drift, momentum;      /* largest |p - p0 - impulse|, largest sum m |v| */
+    double drift, momentum; /* largest |p - p0 - impulse|, largest sum m |v| */
     Status status;
-    double failed_at;            /* [s] */
-    long growth_step;            /* first step with too much energy, or -1 */
-    Moment last;                 /* what is known of the last instant */
+    double failed_at; /* [s] */
+    long growth_step; /* first step with too much energy, or -1 */
+    Moment last;      /* what is known of the last instant */
 } Loop;
 
 static double seconds(clockid_t clock)
@@ -163,8 +163,8 @@ static void last_instant(Loop *l)
 {
     Moment m = l->last;
     const double t = m.t, before = look(l, t).power;
-    const Status status = l->done > 0 ? l->plan->solver->step(l->self, t, l->dt, false)
-                                      : (Status){EMPTY, -1, 0};
+    const Status status =
+        l->done > 0 ? l->plan->solver->step(l->self, t, l->dt, false) : (Status){EMPTY, -1, 0};
     const double w = status.code == OK ? 0.5 : 0;
     const Side after = look(l, t);
     m.kinetic = (1 - w) * m.kinetic + w * after.kinetic;
@@ -242,8 +242,8 @@ static void fill_results(const Loop *l, Row *row)
 static void choose_dt(Loop *l)
 {
     const Plan *plan = l->plan;
-    const double unit = plan->solver->unit_dt ? plan->solver->unit_dt(l->self)
-                                              : plan->scene.cell / plan->scene.c;
+    const double unit =
+        plan->solver->unit_dt ? plan->solver->unit_dt(l->self) : plan->scene.cell / plan->scene.c;
     const double n = fmax(ceil(plan->t_end / (plan->cfl * unit) - 1e-9), 1);
     l->dt = plan->t_end / n;
     l->n = plan->steps > 0 && (double)plan->steps < n ? plan->steps : (long)n;
@@ -254,15 +254,15 @@ static int project(Loop *l, Fault *fault)
     Nodes nodes;
     const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
     if (!l->plan->solver->project)
-        return fault_set(fault, FAULT_USAGE, "--method: got '%s', which projects nothing onto a grid",
+        return fault_set(fault, FAULT_USAGE,
+                         "--method: got '%s', which projects nothing onto a grid",
                          l->plan->method->name);
     l->status = l->plan->solver->project(l->self);
     l->cpu = seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
     l->wall = seconds(CLOCK_MONOTONIC) - wall;
     if (l->status.code != OK) return 0;
     l->plan->solver->nodes(l->self, &nodes);
-    if (!scratch_fit(&l->scratch, nodes.n))
-        return fault_set(fault, FAULT_MACHINE, "out of memory");
+    if (!scratch_fit(&l->scratch, nodes.n)) return fault_set(fault, FAULT_MACHINE, "out of memory");
     l->worst = projection_errors(&l->plan->scene, &nodes, &l->scratch);
     return 0;
 }

@@ -12,27 +12,28 @@
 
 /* Particle fields; each is an array over slots, or NULL where the run does not need it. */
 enum {
-    AT_X0 = 0,                 /* reference position [m], DIM of them */
-    AT_X = AT_X0 + DIM,        /* position [m] */
-    AT_V = AT_X + DIM,         /* velocity [m/s] */
-    AT_F = AT_V + DIM,         /* deformation gradient [-], NMAT of them */
-    AT_M = AT_F + NMAT,        /* mass [kg] */
-    AT_VOL = AT_M + 1,         /* reference volume [m^DIM] */
-    AT_L = AT_VOL + 1,         /* velocity gradient [1/s], NMAT: if the method keeps it */
-    AT_U = AT_L + NMAT,        /* displacement of this step [m], DIM: if the integrator keeps it */
+    AT_X0 = 0,          /* reference position [m], DIM of them */
+    AT_X = AT_X0 + DIM, /* position [m] */
+    AT_V = AT_X + DIM,  /* velocity [m/s] */
+    AT_F = AT_V + DIM,  /* deformation gradient [-], NMAT of them */
+    AT_M = AT_F + NMAT, /* mass [kg] */
+    AT_VOL = AT_M + 1,  /* reference volume [m^DIM] */
+    AT_L = AT_VOL + 1,  /* velocity gradient [1/s], NMAT: if the method keeps it */
+    AT_U = AT_L + NMAT, /* displacement of this step [m], DIM: if the integrator keeps it */
     FIELDS = AT_U + DIM
 };
 
 typedef struct Particles {
-    int count;            /* real ones */
-    int n, room;          /* slots in use and allocated, multiples of CHUNK */
+    int count;   /* real ones */
+    int n, room; /* slots in use and allocated, multiples of CHUNK */
     double *field[FIELDS];
-    double *spare;        /* [room] for sorting */
-    int *id;              /* [room] placement order; -1: padding */
+    double *spare;             /* [room] for sorting */
+    int *id;                   /* [room] placement order; -1: padding */
     int *order, *source, *key; /* [room] for sorting */
 } Particles;
 
-/* Chunks [first, last) of one block of grid rows. Blocks of equal parity never touch a common node. */
+/* Chunks [first, last) of one block of grid rows. Blocks of equal parity never touch a common node.
+ */
 typedef struct Block {
     int first, last;
 } Block;
@@ -43,21 +44,23 @@ typedef struct Mirror {
 } Mirror;
 
 typedef struct Grid {
-    int cells;                 /* per unit length; h = 1/cells [m] */
-    int origin[DIM];           /* node index 0 lies at x = origin/cells */
-    int n[DIM];                /* nodes per axis, ghosts included */
-    int rows;                  /* n[1] n[2] ...: lines of nodes along axis 0 */
-    Line *node;                /* [rows * n[0]] lanes: dim.h */
-    double *force;             /* [rows * n[0]][DIM] body force [N], or NULL */
-    double *mass;              /* [rows * n[0]] copy for who looks at nodes, or NULL */
-    Axis axis[DIM];            /* where walls stand, for shapes that fold their weights there */
-    unsigned char *hold[DIM];  /* [n[d]] bit a: component a is held at this index of axis d */
-    Mirror mirror[2 * DIM];    /* by axis */
+    int cells;                /* per unit length; h = 1/cells [m] */
+    int origin[DIM];          /* node index 0 lies at x = origin/cells */
+    int n[DIM];               /* nodes per axis, ghosts included */
+    int rows;                 /* n[1] n[2] ...: lines of nodes along axis 0 */
+    Line *node;               /* [rows * n[0]] lanes: dim.h */
+    Line *keep;               /* [rows * n[0]] what a velocity filter puts aside, or NULL */
+    Line zero;                /* an empty node */
+    double *force;            /* [rows * n[0]][DIM] body force [N], or NULL */
+    double *mass;             /* [rows * n[0]] copy for who looks at nodes, or NULL */
+    Axis axis[DIM];           /* where walls stand, for shapes that fold their weights there */
+    unsigned char *hold[DIM]; /* [n[d]] bit a: component a is held at this index of axis d */
+    Mirror mirror[2 * DIM];   /* by axis */
     int nmirror;
-    int *lo, *hi;              /* [rows] live span: nodes lo <= i < hi of each row */
-    int *count;                /* [longest axis + 1] for sorting */
-    Vec *impulse;              /* [rows] [kg m/s] momentum ledger of this step */
-    int *live;                 /* [rows] nodes with mass */
+    int *lo, *hi; /* [rows] live span: nodes lo <= i < hi of each row */
+    int *count;   /* [longest axis + 1] for sorting */
+    Vec *impulse; /* [rows] [kg m/s] momentum ledger of this step */
+    int *live;    /* [rows] nodes with mass */
 } Grid;
 
 typedef struct Sim {
@@ -66,20 +69,21 @@ typedef struct Sim {
     Grid g;
     Block *block;
     int nblock, block_rows;
-    double ppc;        /* particles per cell, as placed */
-    double half;       /* l0/h: half width of an undeformed particle in cells */
-    double half_max;   /* widest half width that the stencils allow for, in cells */
-    double half_plan;  /* the one that the current order and spans were made for */
-    double half_now;   /* widest now */
-    double travel;     /* farthest any particle may have moved since the last sort, in cells */
-    double mass_cut;   /* nodes with less are empty [kg] */
-    long nodes;        /* most live nodes so far */
-    Vec impulse;       /* [kg m/s] given by body forces and walls so far */
-    double dx;         /* 1/cells [m] */
-    int surface;       /* surface particles, if the method has any */
+    double ppc;       /* particles per cell, as placed */
+    double half;      /* l0/h: half width of an undeformed particle in cells */
+    double half_max;  /* widest half width that the stencils allow for, in cells */
+    double half_plan; /* the one that the current order and spans were made for */
+    double half_now;  /* widest now */
+    double travel;    /* farthest any particle may have moved since the last sort, in cells */
+    double mass_cut;  /* nodes with less are empty [kg] */
+    long nodes;       /* most live nodes so far */
+    Vec impulse;      /* [kg m/s] given by body forces and walls so far */
+    double dx;        /* 1/cells [m] */
+    int surface;      /* surface particles, if the method has any */
 } Sim;
 
-/* Places and allocates everything; NULL and a fault (2: parameters, 1: memory, before it is taken). */
+/* Places and allocates everything; NULL and a fault (2: parameters, 1: memory, before it is taken).
+ */
 Sim *sim_new(const Setup *setup, Fault *fault);
 void sim_free(Sim *sim);
 

@@ -19,7 +19,8 @@ static inline void mass_payload(const Chunk *c, const Field T[NMAT], Payload *ou
             for (int p = 0; p < CHUNK; p++) out->A[FLUX + b * DIM + a][p] = -T[a * DIM + b][p];
 }
 
-/* W07 eq 4.2: every particle offers node i the velocity v_p + L_p (x_i - x_p); mass is untouched. */
+/* W07 eq 4.2: every particle offers node i the velocity v_p + L_p (x_i - x_p); mass is untouched.
+ */
 static inline void gradient_payload(const Chunk *c, const Field T[NMAT], Payload *out)
 {
     mass_payload(c, T, out);
@@ -47,8 +48,7 @@ static inline void take_gradient(const Chunk *c, const Field sums[], double dt, 
     if ((take & (TAKE_F | TAKE_L)) && c->L[0])
         for (int a = 0; a < DIM; a++)
             for (int b = 0; b < DIM; b++)
-                for (int p = 0; p < CHUNK; p++)
-                    c->L[a * DIM + b][p] = sums[FLUX + b * DIM + a][p];
+                for (int p = 0; p < CHUNK; p++) c->L[a * DIM + b][p] = sums[FLUX + b * DIM + a][p];
     if (!(take & TAKE_F)) return;
     for (int p = 0; p < CHUNK; p++) {
         double F[NMAT];

@@ -1,7 +1,8 @@
 /* squeeze.c: projection of a known velocity field from particles to nodes (W07 sections 3 and 5.1).
  *
- * Any number of particles is squeezed into [0, 1]; each carries v(x_p) and the exact L, and the error
- * is that of the projected node velocities. The degenerate arrangements are those of W07 fig 3. */
+ * Any number of particles is squeezed into [0, 1]; each carries v(x_p) and the exact L, and the
+ * error is that of the projected node velocities. The degenerate arrangements are those of W07
+ * fig 3. */
 #include <math.h>
 #include <string.h>
 #include "../common/place.h"
@@ -11,11 +12,13 @@ enum { FIELD, ARRANGEMENT };
 enum { FIELD_LINEAR, FIELD_QUADRATIC };
 enum { EVEN, CENTRED, SHIFTED, UNEQUAL, CLUSTERED };
 
-static const Param params[] = {
-    {"field", FIELD_LINEAR, 0, 1, "", "v = 1 + x or v = (1 + x)^2", "W07 section 3", "linear|quadratic"},
-    {"arrangement", EVEN, 0, 4, "", "particles: evenly squeezed; or two a cell: centred, shifted, of "
-     "unequal mass, clustered", "W07 figs 3, 4", "even|centred|shifted|unequal|clustered"},
-    {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+static const Param params[] = {{"field", FIELD_LINEAR, 0, 1, "", "v = 1 + x or v = (1 + x)^2",
+                                "W07 section 3", "linear|quadratic"},
+                               {"arrangement", EVEN, 0, 4, "",
+                                "particles: evenly squeezed; or two a cell: centred, shifted, of "
+                                "unequal mass, clustered",
+                                "W07 figs 3, 4", "even|centred|shifted|unequal|clustered"},
+                               {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 static int init(Scene *s, char why[128])
 {
