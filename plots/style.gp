@@ -33,6 +33,7 @@ set grid xtics ytics lt 1 dt 1 lw 0.7 lc rgb '#e3e3e3'
 set key textcolor rgb '#222222' samplen 2.4 spacing 1.2 Left reverse
 set style line 20 lc rgb '#666666' lw 1.2 dt 1 # guides
 set style line 21 lc rgb '#666666' lw 1.2 dt 2
+set style line 22 lc rgb '#334155' pt 7 ps 0.7 # particles where no method matters
 set minussign
 minus(s) = strstrt(s, '-') == 1 ? '−'.s[2:] : s # the sign of a number that sprintf wrote
 set tmargin 3
