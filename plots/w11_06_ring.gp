@@ -19,7 +19,7 @@ set xrange [7:150]
 set xtics (8, 16, 32, 64, 128)
 set xlabel 'cells over the outer radius, N'
 set ylabel 'largest error of all particles and steps [m]'
-set key at screen 0.09, screen 0.26 left top maxrows 5 samplen 2.2 width 1
+set key at screen 0.09, screen 0.27 left top maxrows 7 samplen 2.2 width 1
 plot for [m in METHODS] exists_in(m) ? csv : '/dev/null' \
          using (column('cfl') == 0.3 ? runs(m, usual(m), 'cells') : NaN):'error_linf' \
          with linespoints ls style(m) title label(m).fit_text(m), \
