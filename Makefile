@@ -69,7 +69,8 @@ $(BUILD)/d$(1)/engine.o: $(call objects,$(1))
 endef
 $(foreach d,1 2 3,$(eval $(call dimension,$(d))))
 
-figures: all
+figures:
+	@$(MAKE) --no-print-directory -j$(JOBS) all
 	$(BUILD)/mpmlab study all --jobs $(JOBS)
 	$(BUILD)/mpmlab claims
 
@@ -99,7 +100,8 @@ $(BUILD)/tests/fem: $(FEM_TESTS:%=$(BUILD)/d2/tests/%.o) $(BUILD)/tests/check.o 
   $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 
-test: all $(UNIT_TESTS)
+test:
+	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(CLI_TEST)
 	@for t in $(UNIT_TESTS); do (cd $(BUILD)/tests && $(CURDIR)/$$t) || exit 1; done
 

@@ -1,8 +1,8 @@
-/* bench.c: what `make bench` measures besides the program itself: the machine's bounds and the textbook
- * twin. Prints one number a line, "name value":
- *   bench machine          fma_gflops, copy_gbs       multiply-adds, and reads + writes in place
- *   bench twin CELLS N     twin_ns                    ns per particle-step of GIMP on free_block
- *   bench bytes METHOD     bytes                      memory a particle has in the core */
+/* bench.c: what `make bench` measures besides the program itself: the machine's bounds and the
+ * textbook twin. Prints one number a line, "name value": bench machine          fma_gflops,
+ * copy_gbs       multiply-adds, and reads + writes in place bench twin CELLS N     twin_ns ns per
+ * particle-step of GIMP on free_block bench bytes METHOD     bytes                      memory a
+ * particle has in the core */
 #define _GNU_SOURCE
 #include <stdio.h>
 #include <stdlib.h>
