@@ -25,7 +25,7 @@ enum { VECTOR_BYTES = 16, REGISTERS = 4 };
 #endif
 #ifdef __clang__ /* knows no shuffle by a vector */
 enum { LINE_IS_VECTOR = 0 };
-#define SHUFFLE(a, b, from) (a)
+#define SHUFFLE(a, b, from) ((void)(b), (a))
 #else
 enum { LINE_IS_VECTOR = (int)sizeof(Line) <= VECTOR_BYTES };
 #define SHUFFLE(a, b, from) __builtin_shuffle(a, b, from)
