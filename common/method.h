@@ -35,6 +35,7 @@ enum {
 /* 64 particles: pointers into the arrays of sim.h; L and u are NULL where not kept. */
 typedef struct Chunk {
     double *x[DIM], *v[DIM], *F[NMAT], *L[NMAT], *u[DIM];
+    const double *normal[DIM]; /* reference normals of surface points, or NULL */
     const double *X[DIM], *m, *V0;
     const int *id;
 } Chunk;
@@ -57,6 +58,8 @@ typedef struct Payload {
     Field A[LANES];
     Field B[DIM][DIM]; /* [axis d][component a]: m L_ad of the momentum lanes, if affine */
 } Payload;
+
+struct Sim;
 
 typedef struct Method {
     Info info;
@@ -83,6 +86,20 @@ typedef struct Method {
      * follows: lane LANES + FLUX + b DIM + a is sum_i S v_a (x_i - x_p)_b [m^2/s], lane LANES + d is
      * D_d = sum_i S (x_i - x_p)_d^2 [m^2]. */
     void (*update)(const Chunk *c, const Field sums[], double dt, unsigned take);
+
+    /* Optional, for methods whose nodes do not come from the deposit above (WLS: least squares and an
+     * integral over cells). `assemble` takes the place of the deposit and leaves every node as a
+     * deposit would: lane 0 mass, momentum, spare lanes mass, internal force in the lanes from FLUX on,
+     * body force in Grid.force; on the real side of symmetry lines only. `repair` comes after symmetry
+     * has folded the nodes and before a = f/m. */
+    void (*assemble)(struct Sim *sim, double t, bool force);
+    void (*repair)(struct Sim *sim, bool force);
+
+    /* Its workspace Sim.own, once a run (false: out of memory), and how it chooses its stages by
+     * parameter: `adapt` changes the run's own copy of this struct. */
+    bool (*make)(struct Sim *sim);
+    void (*free)(struct Sim *sim);
+    void (*adapt)(const double par[], struct Method *own);
 } Method;
 
 /* NULL-terminated, in registry order; methods/registry.c. */

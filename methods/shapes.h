@@ -1,7 +1,7 @@
 /* shapes.h: how a particle sees the nodes of one axis: tent and GIMP.
  *
- * All lengths in cells: x position, b = l/h half width, r = x - x_i. W07 section 2; Bardenhagen & Kober
- * 2004. GIMP is the exact convolution of the tent with a top hat of half width b, for any b:
+ * All lengths in cells: x position, b = l/h half width, r = x - x_i. W07 section 2; Bardenhagen &
+ * Kober 2004. GIMP is the exact convolution of the tent with a top hat of half width b, for any b:
  *   S(r) = (I(r + b) - I(r - b)) / 2b,  I(z) = z - z|z|/2 within |z| < 1, +-1/2 beyond,
  *   G(r) = (T(r + b) - T(r - b)) / 2b,  T the tent. */
 #ifndef MPMLAB_SHAPES_H
@@ -17,7 +17,8 @@ static inline int tent_width(double b)
 }
 
 /* The cell is chosen by floor(x), never by the sign of r, so that a particle on a node has one. */
-static inline void tent_shape(const Axis *axis, int width, const Field x, const Field b, Stencil *out)
+static inline void tent_shape(const Axis *axis, int width, const Field x, const Field b,
+                              Stencil *out)
 {
     (void)axis, (void)width, (void)b;
     for (int p = 0; p < CHUNK; p++) {
@@ -54,7 +55,8 @@ static inline void gimp_shape_3(const Field x, const Field b, Stencil *out)
         double up = (b[p] + a) * (b[p] + a) * q + at_least(r - a, 0);
         double down = (b[p] - a) * (b[p] - a) * q + at_least(a - r, 0);
         out->base[p] = (int)c - 1;
-        out->table[T_S][0][p] = down, out->table[T_S][1][p] = 1 - up - down, out->table[T_S][2][p] = up;
+        out->table[T_S][0][p] = down, out->table[T_S][1][p] = 1 - up - down,
+        out->table[T_S][2][p] = up;
         out->table[T_G][0][p] = -2 * q * (b[p] - a);
         out->table[T_G][1][p] = -4 * q * a;
         out->table[T_G][2][p] = 2 * q * (b[p] + a);
@@ -72,7 +74,8 @@ static inline double tent(double z)
     return at_least(1 - fabs(z), 0);
 }
 
-static inline void gimp_shape(const Axis *axis, int width, const Field x, const Field b, Stencil *out)
+static inline void gimp_shape(const Axis *axis, int width, const Field x, const Field b,
+                              Stencil *out)
 {
     (void)axis;
     if (width == 3) {
@@ -86,6 +89,28 @@ static inline void gimp_shape(const Axis *axis, int width, const Field x, const 
             out->table[T_S][k][p] = q * (tent_integral(r + b[p]) - tent_integral(r - b[p]));
             out->table[T_G][k][p] = q * (tent(r + b[p]) - tent(r - b[p]));
         }
+}
+
+/* Quadratic spline about the nearest node, W11 eq 4: |x - x_i| < 3/2. */
+static inline int spline_width(double b)
+{
+    (void)b;
+    return 3;
+}
+
+static inline void spline_shape(const Axis *axis, int width, const Field x, const Field b,
+                                Stencil *out)
+{
+    (void)axis, (void)width, (void)b;
+    for (int p = 0; p < CHUNK; p++) {
+        double c = floor(x[p] + 0.5), r = x[p] - c;
+        out->base[p] = (int)c - 1;
+        out->table[T_S][0][p] = 0.5 * (0.5 - r) * (0.5 - r);
+        out->table[T_S][1][p] = 0.75 - r * r;
+        out->table[T_S][2][p] = 0.5 * (0.5 + r) * (0.5 + r);
+        out->table[T_G][0][p] = r - 0.5, out->table[T_G][1][p] = -2 * r,
+        out->table[T_G][2][p] = r + 0.5;
+    }
 }
 
 #endif
