@@ -25,9 +25,9 @@ enum { LANES = 16 };
 #endif
 
 enum {
-    NMAT = DIM * DIM,     /* entries of a matrix, row-major: entry (a, b) at a * DIM + b */
-    FLUX = LANES - NMAT,  /* first lane that is weighted with a gradient */
-    CHUNK = 64            /* particles that one stage handles at a time */
+    NMAT = DIM * DIM,    /* entries of a matrix, row-major: entry (a, b) at a * DIM + b */
+    FLUX = LANES - NMAT, /* first lane that is weighted with a gradient */
+    CHUNK = 64           /* particles that one stage handles at a time */
 };
 
 typedef double Vec[DIM];

@@ -14,8 +14,9 @@ static void say_params(const Param *p, FILE *out)
     for (; p && p->name; p++) {
         char value[64];
         param_print(p, p->value, value);
-        fprintf(out, "%s\t%s\t%s\t%s%s%s%s\t%s\n", p->name, value, *p->unit ? p->unit : "-", p->meaning,
-                p->choices ? " (" : "", p->choices ? p->choices : "", p->choices ? ")" : "", p->source);
+        fprintf(out, "%s\t%s\t%s\t%s%s%s%s\t%s\n", p->name, value, *p->unit ? p->unit : "-",
+                p->meaning, p->choices ? " (" : "", p->choices ? p->choices : "",
+                p->choices ? ")" : "", p->source);
     }
 }
 

@@ -26,13 +26,22 @@ static int open_nameless(const char *path)
     return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
 }
 
+/* Devices and pipes are written straight: they have nothing to keep whole, and must not be
+ * replaced. */
+static int is_special(const char *path)
+{
+    struct stat s;
+    return stat(path, &s) == 0 && !S_ISREG(s.st_mode);
+}
+
 FILE *file_begin(const char *path, Fault *fault)
 {
     char temporary[PATH_MAX];
     beside(path, temporary);
-    int fd = open_nameless(path);
-    if (fd < 0) fd = open(temporary, O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666);
-    FILE *f = fd < 0 ? NULL : fdopen(fd, "w+");
+    int fd = is_special(path) ? open(path, O_WRONLY | O_CLOEXEC) : open_nameless(path);
+    if (fd < 0 && !is_special(path))
+        fd = open(temporary, O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666);
+    FILE *f = fd < 0 ? NULL : fdopen(fd, is_special(path) ? "w" : "w+");
     if (!f) fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
     return f;
 }
@@ -64,10 +73,18 @@ static int name_it(FILE *f, const char *temporary)
     return linkat(AT_FDCWD, self, AT_FDCWD, temporary, AT_SYMLINK_FOLLOW);
 }
 
+static int close_special(FILE *f, const char *path, Fault *fault)
+{
+    const int bad = fflush(f) != 0 || ferror(f), error = errno;
+    fclose(f);
+    return bad ? fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(error)) : 0;
+}
+
 int file_commit(FILE *f, const char *path, Fault *fault)
 {
     char temporary[PATH_MAX];
     beside(path, temporary);
+    if (is_special(path)) return close_special(f, path, fault);
     if (fflush(f) == 0 && !ferror(f)) {
         if (same_bytes(f, path)) {
             file_abandon(f, path);
@@ -88,5 +105,5 @@ void file_abandon(FILE *f, const char *path)
     char temporary[PATH_MAX];
     beside(path, temporary);
     fclose(f);
-    unlink(temporary);
+    if (!is_special(path)) unlink(temporary);
 }

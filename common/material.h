@@ -10,16 +10,17 @@ typedef enum { NEO_HOOKEAN, LINEAR } Law;
 
 typedef struct Material {
     Law law;
-    double E, nu, rho;  /* [Pa] [-] [kg/m^DIM]: Young, Poisson, reference density */
-    double lambda, mu;  /* [Pa] Lame */
+    double E, nu, rho; /* [Pa] [-] [kg/m^DIM]: Young, Poisson, reference density */
+    double lambda, mu; /* [Pa] Lame */
 } Material;
 
 /* Lame constants from E, nu. In 1D Poisson's ratio has no meaning and must be 0. */
 Material material_make(Law law, double E, double nu, double rho);
 
-double wave_speed_bar(const Material *m);   /* sqrt(E/rho) */
-double wave_speed_p(const Material *m);     /* sqrt((lambda + 2 mu)/rho) */
-double wave_speed_bound(const Material *m); /* sqrt((lambda + 3 mu)/rho), W11 eq 33: an upper bound */
+double wave_speed_bar(const Material *m); /* sqrt(E/rho) */
+double wave_speed_p(const Material *m);   /* sqrt((lambda + 2 mu)/rho) */
+double
+wave_speed_bound(const Material *m); /* sqrt((lambda + 3 mu)/rho), W11 eq 33: an upper bound */
 
 /* T = J sigma [Pa] for 64 particles, symmetric, row-major components. F, T: [NMAT][CHUNK]. Where
  * J <= 0 the result is NaN (neo-Hookean) or finite nonsense (linear): the caller checks J. */
@@ -38,7 +39,8 @@ static inline double determinant(const Mat F)
     if (DIM == 2) return F[0] * F[NMAT - 1] - F[1 % NMAT] * F[DIM % NMAT];
     for (int a = 0; a < DIM; a++) { /* first row times its cofactors, cyclic */
         const int b = (a + 1) % DIM, c = (a + 2) % DIM;
-        det += F[a] * (F[(DIM + b) % NMAT] * F[NMAT - DIM + c] - F[(DIM + c) % NMAT] * F[NMAT - DIM + b]);
+        det += F[a] *
+               (F[(DIM + b) % NMAT] * F[NMAT - DIM + c] - F[(DIM + c) % NMAT] * F[NMAT - DIM + b]);
     }
     return det;
 }

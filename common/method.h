@@ -1,16 +1,16 @@
 /* method.h: the plug-in contract: how a method moves information between particles and grid.
  *
  * A method is a const struct of data and of small stages. Each stage is a plain loop over the 64
- * particles of a chunk, called once per chunk: the call is free and the compiler vectorizes the loop.
- * The shared core (scheme.h) scatters and gathers between chunk and grid:
+ * particles of a chunk, called once per chunk: the call is free and the compiler vectorizes the
+ * loop. The shared core (scheme.h) scatters and gathers between chunk and grid:
  *
  *   deposit   node[lane] += w_ip[lane] (A_p[lane] + sum_d B_pd[lane] (x_i - x_p)_d)
  *   gather    sums_p[lane] = sum_i w_ip[lane] node[lane]
  *
- * with w_ip = S_ip for the lanes below FLUX and dS_ip/dx_b for the lane FLUX + b DIM + a. Lanes of a
- * deposit: dim.h. A gather finds v in lanes 0 .. DIM-1, a in DIM .. 2 DIM - 1 and v once more in the
- * lanes from FLUX on, which so become the velocity gradient. Slopes B exist on the momentum lanes
- * only (GE, TPIC and APIC need no more).  */
+ * with w_ip = S_ip for the lanes below FLUX and dS_ip/dx_b for the lane FLUX + b DIM + a. Lanes of
+ * a deposit: dim.h. A gather finds v in lanes 0 .. DIM-1, a in DIM .. 2 DIM - 1 and v once more in
+ * the lanes from FLUX on, which so become the velocity gradient. Slopes B exist on the momentum
+ * lanes only (GE, TPIC and APIC need no more).  */
 #ifndef MPMLAB_METHOD_H
 #define MPMLAB_METHOD_H
 
@@ -18,7 +18,10 @@
 #include "dim.h"
 #include "info.h"
 
-enum { MAX_WIDTH = 33 }; /* nodes per axis that a stencil may span */
+enum {
+    MAX_WIDTH = 33, /* nodes per axis that a stencil may span */
+    MAX_ROUNDS = 16 /* of a velocity filter */
+};
 
 typedef enum { CD, UVF, MUSL, USL, USF, INTEGRATORS } Integrator; /* step.c */
 
@@ -35,12 +38,13 @@ enum {
 /* 64 particles: pointers into the arrays of sim.h; L and u are NULL where not kept. */
 typedef struct Chunk {
     double *x[DIM], *v[DIM], *F[NMAT], *L[NMAT], *u[DIM];
-    const double *normal[DIM]; /* reference normals of surface points, or NULL */
     const double *X[DIM], *m, *V0;
+    const double *normal[DIM]; /* reference normals of surface points, or NULL */
     const int *id;
 } Chunk;
 
-/* The tables of one axis of a chunk: for node base + k and particle p, at distance r = x_i - x_p. */
+/* The tables of one axis of a chunk: for node base + k and particle p, at distance r = x_i - x_p.
+ */
 enum { T_S, T_G, T_R, T_Q, TABLES }; /* S [-], G = dS/dx_p [1/cell], R = S r [cell], Q = S r^2 */
 
 typedef struct Stencil {
@@ -63,15 +67,17 @@ struct Sim;
 
 typedef struct Method {
     Info info;
-    unsigned valid;        /* bit per Integrator: published or proven sound */
-    unsigned valid_fresh;  /* more of them with refresh=1 */
-    int integrator[4];     /* default by dimension, [0] unused */
-    bool keeps_L;          /* the particle carries its velocity gradient from step to step */
-    bool affine;           /* payload fills B */
-    bool moments;          /* update also reads the moments of v about the particle */
-    bool linear_exact;     /* projects linear fields exactly from any particle set */
-    bool surface;          /* needs surface particles */
-    bool smooth;           /* weights are C1: S ~ eps^2, dS/dx ~ eps at the edge of a support */
+    unsigned valid;          /* bit per Integrator: published or proven sound */
+    unsigned valid_fresh;    /* more of them with refresh=1 */
+    int integrator[4];       /* default by dimension, [0] unused */
+    bool keeps_L;            /* the particle carries its velocity gradient from step to step */
+    bool affine;             /* payload fills B */
+    bool moments;            /* update also reads the moments of v about the particle */
+    bool linear_exact;       /* projects linear fields exactly from any particle set */
+    bool surface;            /* needs surface particles: */
+    double surface_per_cell; /* so many along a cell's length; 0: as dense as particles */
+    bool wall_images;        /* gathers from images of nodes beyond walls, not from held nodes */
+    bool smooth;             /* weights are C1: S ~ eps^2, dS/dx ~ eps at the edge of a support */
 
     /* Nodes per axis for half widths up to b [cells]; at most MAX_WIDTH. */
     int (*width)(double b);
@@ -83,17 +89,23 @@ typedef struct Method {
     void (*payload)(const Chunk *c, const Field T[NMAT], Payload *out);
 
     /* Particles from the gathered sums, over dt [s]; `take`: TAKE_*. With `moments` a second line
-     * follows: lane LANES + FLUX + b DIM + a is sum_i S v_a (x_i - x_p)_b [m^2/s], lane LANES + d is
-     * D_d = sum_i S (x_i - x_p)_d^2 [m^2]. */
+     * follows: lane LANES + FLUX + b DIM + a is sum_i S v_a (x_i - x_p)_b [m^2/s], lane LANES + d
+     * is D_d = sum_i S (x_i - x_p)_d^2 [m^2]. */
     void (*update)(const Chunk *c, const Field sums[], double dt, unsigned take);
 
-    /* Optional, for methods whose nodes do not come from the deposit above (WLS: least squares and an
-     * integral over cells). `assemble` takes the place of the deposit and leaves every node as a
-     * deposit would: lane 0 mass, momentum, spare lanes mass, internal force in the lanes from FLUX on,
-     * body force in Grid.force; on the real side of symmetry lines only. `repair` comes after symmetry
-     * has folded the nodes and before a = f/m. */
+    /* Velocity filter, or NULL: coefficients c[0 .. rounds] of sum_l c_l (S+ S)^l v; returns
+     * rounds, at most MAX_ROUNDS. `par`: the method's parameters. filter_first: before the
+     * acceleration. */
+    int (*filter)(const double *par, double c[]);
+    bool filter_first;
+
+    /* Optional, for methods whose nodes do not come from the deposit above (WLS: least squares and
+     * an integral over cells). `assemble` takes the place of the deposit and leaves every node as a
+     * deposit would: lane 0 mass, momentum, spare lanes mass, internal force in the lanes from FLUX
+     * on, body force in Grid.force; on the real side of symmetry lines only. `repair` comes after
+     * symmetry has folded the nodes and before a = f/m. */
     void (*assemble)(struct Sim *sim, double t, bool force);
-    void (*repair)(struct Sim *sim, bool force);
+    void (*repair)(struct Sim *sim);
 
     /* Its workspace Sim.own, once a run (false: out of memory), and how it chooses its stages by
      * parameter: `adapt` changes the run's own copy of this struct. */

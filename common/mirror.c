@@ -1,7 +1,8 @@
 /* mirror.c: symmetry lines by folding nodes: as if the mirrored particles were there.
- * With ghost i' the image of node i: a deposit of the mirrored body at i is the parity times the real
- * deposit at i'; on the line itself it is the parity times its own. */
+ * With ghost i' the image of node i: a deposit of the mirrored body at i is the parity times the
+ * real deposit at i'; on the line itself it is the parity times its own. */
 #include <limits.h>
+#include <math.h>
 #include "sim.h"
 
 /* -1 in lanes whose component is normal to the axis, +1 else; 0 in the spare lanes, which keep the
@@ -26,7 +27,8 @@ static Line gather_parity(int axis)
     return parity;
 }
 
-static void fold_node(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row, void *own)
+static void fold_node(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
+                      void *own)
 {
     Grid *g = &sim->g;
     (void)image_row, (void)own;
@@ -54,13 +56,14 @@ bool grid_is_ghost_row(const Grid *g, int row, int above)
         const Mirror *m = &g->mirror[k];
         int stride = 1;
         for (int d = 1; d < m->axis; d++) stride *= g->n[d];
-        if (DIM > 1 && m->axis > above && m->side * (row / stride % g->n[m->axis] - m->at) > 0) return true;
+        if (DIM > 1 && m->axis > above && m->side * (row / stride % g->n[m->axis] - m->at) > 0)
+            return true;
     }
     return false;
 }
 
-/* All pairs of live ghost and image nodes of one mirror line, the line's own nodes included. Rows that
- * are ghosts of a later axis are left out on the way back: that axis will fill them whole. */
+/* All pairs of live ghost and image nodes of one mirror line, the line's own nodes included. Rows
+ * that are ghosts of a later axis are left out on the way back: that axis will fill them whole. */
 static void visit_pairs(Sim *sim, const Mirror *m, bool back, PairVisit *visit, void *own)
 {
     Grid *g = &sim->g;
@@ -144,4 +147,43 @@ static void mirror_spans(Grid *g, const Mirror *m)
 void grid_mirror_spans(Grid *g)
 {
     for (int k = 0; k < g->nmirror; k++) mirror_spans(g, &g->mirror[k]);
+}
+
+/* Velocity and acceleration of node `at` from its image across a wall that holds components `held`.
+ */
+static void reflect(Grid *g, size_t at, size_t image, unsigned held)
+{
+    for (int l = 0; l < LANES; l++) {
+        const int a = l < FLUX ? l % DIM : (l - FLUX) % DIM;
+        g->node[at][l] = (held >> a & 1 ? -1 : 1) * g->node[image][l];
+    }
+}
+
+/* Two lines of nodes beyond the wall at index `at`, towards `side`. */
+static void wall_images(Grid *g, int axis, int at, int side)
+{
+    for (int row = 0; row < g->rows; row++)
+        for (int k = 1; k <= 2; k++) {
+            int index[DIM], image[DIM], rest = row;
+            double sign[DIM];
+            for (int d = 1; d < DIM; d++) index[d] = image[d] = rest % g->n[d], rest /= g->n[d];
+            if (axis > 0 && index[axis % DIM] != at + side * k) continue;
+            if (axis > 0) image[axis % DIM] = at - side * k;
+            const int from = axis > 0 ? g->lo[row] : at + side * k;
+            const int to = axis > 0 ? g->hi[row] : at + side * k + 1;
+            for (index[0] = from; index[0] < to && g->lo[row] < g->hi[row]; index[0]++) {
+                image[0] = axis > 0 ? index[0] : at - side * k;
+                const size_t ghost = grid_image(g, index, sign), own = grid_image(g, image, sign);
+                if (ghost != NOWHERE && own != NOWHERE) reflect(g, ghost, own, g->hold[axis][at]);
+            }
+        }
+}
+
+void grid_wall_images(Sim *sim)
+{
+    Grid *g = &sim->g;
+    for (int d = 0; d < DIM; d++) {
+        if (isfinite(g->axis[d].wall_lo)) wall_images(g, d, (int)g->axis[d].wall_lo, -1);
+        if (isfinite(g->axis[d].wall_hi)) wall_images(g, d, (int)g->axis[d].wall_hi, 1);
+    }
 }

@@ -26,8 +26,8 @@ Errors displacement_errors(const Scene *scene, const Points *p, double t, Scratc
 /* e = |v_i - v(x_i)| / |v(x_i)| over nodes with mass inside the body, equal weights, W07 eq 3.1. */
 Errors projection_errors(const Scene *scene, const Nodes *n, Scratch *s);
 
-double kinetic_energy(const Points *p);                                   /* [J] */
-double strain_energy(const Scene *scene, const Samples *q, Scratch *s);   /* [J] */
+double kinetic_energy(const Points *p);                                       /* [J] */
+double strain_energy(const Scene *scene, const Samples *q, Scratch *s);       /* [J] */
 double body_power(const Scene *scene, const Points *p, double t, Scratch *s); /* [W] */
 double momentum(const Points *p, Vec out); /* [kg m/s]; returns sum of m |v| */
 

@@ -28,8 +28,14 @@ void history_header(FILE *out)
 
 void history_line(FILE *out, const Moment *m)
 {
-    const double columns[] = {m->t, m->kinetic, m->strain, m->work, m->kinetic + m->strain,
-                              m->momentum[0], DIM > 1 ? m->momentum[DIM > 1] : NAN, m->error_linf,
+    const double columns[] = {m->t,
+                              m->kinetic,
+                              m->strain,
+                              m->work,
+                              m->kinetic + m->strain,
+                              m->momentum[0],
+                              DIM > 1 ? m->momentum[DIM > 1] : NAN,
+                              m->error_linf,
                               m->dt};
     const int n = sizeof columns / sizeof *columns;
     for (int k = 0; k < n; k++) number(out, columns[k], k + 1 < n ? "," : "\n");

@@ -7,9 +7,9 @@
 
 /* One instant of a run. */
 typedef struct Moment {
-    double t;                       /* [s] */
-    double kinetic, strain, work;   /* [J] centred in time; work of body forces */
-    Vec momentum;                   /* [kg m/s] */
+    double t;                     /* [s] */
+    double kinetic, strain, work; /* [J] centred in time; work of body forces */
+    Vec momentum;                 /* [kg m/s] */
     double error_linf, dt;
 } Moment;
 

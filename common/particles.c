@@ -5,7 +5,7 @@
 /* A Sim with what its views need on the side. */
 typedef struct Core {
     Sim *sim;
-    Status start;       /* a scene that is wrong from the start says so at its first step */
+    Status start; /* a scene that is wrong from the start says so at its first step */
     double *x[DIM], *v[DIM], *m; /* live nodes, if asked for */
 } Core;
 

@@ -7,10 +7,11 @@
 
 /* Points in placement order. Owns its arrays; grows by doubling. */
 struct Layout {
+    double dense; /* surface points per particle spacing; 0: 1 */
     int n, room;
-    int lost;           /* points that did not fit into memory: > 0 means failure */
-    double *X[DIM];     /* [m] */
-    double *volume;     /* [m^DIM]; 0 for surface particles */
+    int lost;            /* points that did not fit into memory: > 0 means failure */
+    double *X[DIM];      /* [m] */
+    double *volume;      /* [m^DIM]; 0 for surface particles */
     double *normal[DIM]; /* outward unit normal of surface particles, else 0 */
 };
 
@@ -18,8 +19,12 @@ struct Layout {
 void layout_add(Layout *out, const Vec X, double volume, const double *normal);
 void layout_free(Layout *out);
 
-/* Fills an empty layout for spacing s = 1/(cells n): 1D `count` points evenly over the body, else the
- * lattice (i + 1/2) s from the origin whose points lie inside, volume s^DIM; or the scene's own. */
+/* Spacing of surface points where particles have the given one [m]. */
+double layout_surface_spacing(const Layout *out, double spacing);
+
+/* Fills an empty layout for spacing s = 1/(cells n): 1D `count` points evenly over the body, else
+ * the lattice (i + 1/2) s from the origin whose points lie inside, volume s^DIM; or the scene's
+ * own. A box is fitted by that and by surface points on all faces that are no symmetry lines. */
 int layout_make(Layout *out, const Scene *scene, double spacing, int count, bool fitted,
                 Fault *fault);
 

@@ -1,5 +1,5 @@
-/* points.h: what norms, ledger and output read of any solver: points that carry mass and motion, and
- * samples that carry strain. For particles both are the particles; for FEM nodes and elements.
+/* points.h: what norms, ledger and output read of any solver: points that carry mass and motion,
+ * and samples that carry strain. For particles both are the particles; for FEM nodes and elements.
  * Nothing here is owned; views stay good until the solver's next step. */
 #ifndef MPMLAB_POINTS_H
 #define MPMLAB_POINTS_H
@@ -8,10 +8,10 @@
 
 /* Slots with mass 0 and id -1 are padding; with mass 0 and id >= 0 surface particles. */
 typedef struct Points {
-    int n;                                   /* slots */
-    const int *id;                           /* [n] placement order */
-    const double *X[DIM], *x[DIM], *v[DIM];  /* [m] [m] [m/s] reference, current, velocity */
-    const double *m, *V0;                    /* [kg] [m^DIM] mass, reference volume */
+    int n;                                  /* slots */
+    const int *id;                          /* [n] placement order */
+    const double *X[DIM], *x[DIM], *v[DIM]; /* [m] [m] [m/s] reference, current, velocity */
+    const double *m, *V0;                   /* [kg] [m^DIM] mass, reference volume */
 } Points;
 
 typedef struct Samples {

@@ -1,7 +1,8 @@
-/* problem.h: what a scene is: const data and a few functions; it knows no grid, no method, no solver.
+/* problem.h: what a scene is: const data and a few functions; it knows no grid, no method, no
+ * solver.
  *
- * All functions work on n points at a time. Positions X are reference coordinates [m], one array per
- * component; the shapes below are [component][point]. */
+ * All functions work on n points at a time. Positions X are reference coordinates [m], one array
+ * per component; the shapes below are [component][point]. */
 #ifndef MPMLAB_PROBLEM_H
 #define MPMLAB_PROBLEM_H
 
@@ -17,17 +18,18 @@ typedef double *const Fields[];            /* component arrays to fill */
 /* A line (plane) of grid nodes x[axis] = at where something is imposed, from there outwards. */
 typedef struct Wall {
     int axis;
-    int side;        /* -1: nodes at and below `at` are held, the body lies above; +1: the reverse */
-    double at;       /* [m] on a grid line: a multiple of every cell size in use */
-    unsigned hold;   /* bit a set: v_a = a_a = 0 there */
-    bool mirror;     /* symmetry: beyond lies the mirrored body; hold is unused */
+    int side;      /* -1: nodes at and below `at` are held, the body lies above; +1: the reverse */
+    double at;     /* [m] on a grid line: a multiple of every cell size in use */
+    unsigned hold; /* bit a set: v_a = a_a = 0 there */
+    bool mirror;   /* symmetry: beyond lies the mirrored body; hold is unused */
     bool unilateral; /* hold only while the body pushes against it */
 } Wall;
 
 enum { MAX_WALLS = 8, MAX_DERIVED = 16 };
 
-/* The body as data, for who must fit points or triangles to it. Box: body_lo to body_hi. Ring, disk:
- * radii [m] about centre, angles [rad]. Hole plate: the box less a hole of radius inner about centre. */
+/* The body as data, for who must fit points or triangles to it. Box: body_lo to body_hi. Ring,
+ * disk: radii [m] about centre, angles [rad]. Hole plate: the box less a hole of radius inner about
+ * centre. */
 typedef enum { BODY_BOX, BODY_RING, BODY_DISK, BODY_HOLE_PLATE } BodyKind;
 
 typedef struct Body {
@@ -52,12 +54,12 @@ typedef struct Problem {
     /* Is X inside the body? Bounded by body_lo, body_hi. NULL: the whole box is the body. */
     bool (*inside)(const Scene *s, const Vec X);
 
-    /* Adds the scene's own arrangement of points of the given spacing [m] (layout_add), body-fitted if
-     * asked for. Returns false to leave it to the plain lattice. NULL: always the lattice. */
+    /* Adds the scene's own arrangement of points of the given spacing [m] (layout_add), body-fitted
+     * if asked for. Returns false to leave it to the plain lattice. NULL: always the lattice. */
     bool (*place)(const Scene *s, double spacing, bool fitted, Layout *out);
 
-    /* Initial state, arrays preset to u = 0, v = 0, F = I, L = 0. NULL: at rest. L [1/s] is the exact
-     * initial velocity gradient where the scene has one. */
+    /* Initial state, arrays preset to u = 0, v = 0, F = I, L = 0. NULL: at rest. L [1/s] is the
+     * exact initial velocity gradient where the scene has one. */
     void (*start)(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fields F, Fields L);
 
     /* Exact displacement at time t [s], or NULL. A projection gives the velocity field instead. */
@@ -80,9 +82,9 @@ struct Scene {
     Body body;
     Wall wall[MAX_WALLS];
     int nwall;
-    double c;           /* [m/s] the speed in dt0 = CFL h/c */
-    double t_end;       /* [s] default duration; 0: none */
-    double error_scale; /* errors are divided by it */
+    double c;              /* [m/s] the speed in dt0 = CFL h/c */
+    double t_end;          /* [s] default duration; 0: none */
+    double error_scale;    /* errors are divided by it */
     double k[MAX_DERIVED]; /* constants derived by init, for the problem's own use */
 };
 

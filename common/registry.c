@@ -1,7 +1,8 @@
 /* registry.c: the methods, problems and mesh solvers of this dimension, from their .def lists. */
 #include "resolve.h"
 
-/* PROBLEM and SOLVER lines carry a 1 or 0 for each dimension: KEEP_1 keeps its text, KEEP_0 drops it. */
+/* PROBLEM and SOLVER lines carry a 1 or 0 for each dimension: KEEP_1 keeps its text, KEEP_0 drops
+ * it. */
 #define KEEP_0(...)
 #define KEEP_1(...)         __VA_ARGS__
 #define KEEP(flag)          KEEP_##flag

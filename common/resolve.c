@@ -11,12 +11,16 @@ enum { P_STEPS, P_ALLOW, P_REFRESH, P_LAYOUT, P_PARTICLES, P_DIM, P_STOP, RUN_PA
 
 static const Param run_params[] = {
     [P_STEPS] = {"steps", 0, 0, 1e9, "", "stop after so many steps; 0: at t_end", "", NULL},
-    [P_ALLOW] = {"allow_unstable", 0, 0, 1, "", "1: run a refused method x integrator pair", "", "0|1"},
-    [P_REFRESH] = {"refresh", 0, 0, 1, "", "1: L from the accelerated grid velocity before a "
-                   "re-projection", "", "0|1"},
+    [P_ALLOW] = {"allow_unstable", 0, 0, 1, "", "1: run a refused method x integrator pair", "",
+                 "0|1"},
+    [P_REFRESH] = {"refresh", 0, 0, 1, "",
+                   "1: L from the accelerated grid velocity before a "
+                   "re-projection",
+                   "", "0|1"},
     [P_LAYOUT] = {"layout", 0, 0, 1, "", "particles on a lattice or fitted to the body", "",
                   "cartesian|radial"},
-    [P_PARTICLES] = {"particles", 0, 1, 1e8, "", "number of particles (1D), instead of ppc", "", NULL},
+    [P_PARTICLES] = {"particles", 0, 1, 1e8, "", "number of particles (1D), instead of ppc", "",
+                     NULL},
     [P_DIM] = {"dim", DIM, 1, 3, "", "dimension of a scene that has several", "", NULL},
     [P_STOP] = {"stop_growth", 0, 0, 1, "", "1: energy growth ends the run", "", "0|1"},
     [RUN_PARAMS] = {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
@@ -51,8 +55,8 @@ static int read_params(const RunSpec *spec, const Param *params, double value[],
         const char *text = spec_get(spec, params[k].name);
         value[k] = params[k].value;
         if (text && param_parse(&params[k], text, &value[k], takes))
-            return fault_set(fault, FAULT_USAGE, "--set %s: got '%s', takes %s", params[k].name, text,
-                             takes);
+            return fault_set(fault, FAULT_USAGE, "--set %s: got '%s', takes %s", params[k].name,
+                             text, takes);
     }
     return 0;
 }
@@ -66,11 +70,12 @@ static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
         if (param_find(lists[l], name)) return 0;
         for (int k = 0; k < param_count(lists[l]); k++) names[n++] = lists[l][k].name;
     }
-    return fault_set(fault, FAULT_USAGE,
-                     "--set %s: got '%s', takes a parameter of %s, %s or of every run; did you mean "
-                     "'%s'?",
-                     name, name, plan->scene.problem->info.name, plan->method->name,
-                     nearest_name(name, names, n));
+    return fault_set(
+        fault, FAULT_USAGE,
+        "--set %s: got '%s', takes a parameter of %s, %s or of every run; did you mean "
+        "'%s'?",
+        name, name, plan->scene.problem->info.name, plan->method->name,
+        nearest_name(name, names, n));
 }
 
 static const Problem *find_problem(const char *name)
@@ -100,22 +105,24 @@ static int choose_method(RunSpec *spec, Plan *plan, Fault *fault)
         plan->method = &(*s)->info;
     }
     if (plan->method) return 0;
-    return fault_set(fault, FAULT_USAGE, "--method: got '%s', takes a method of %dD; did you mean '%s'?",
-                     spec->method, DIM, nearest_name(spec->method, names, n));
+    return fault_set(fault, FAULT_USAGE,
+                     "--method: got '%s', takes a method of %dD; did you mean '%s'?", spec->method,
+                     DIM, nearest_name(spec->method, names, n));
 }
 
 static int choose_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault)
 {
     Setup *s = &plan->setup;
     const Method *m = s->method;
-    if (!spec->integrator[0]) strcpy(spec->integrator, integrator_names[m ? m->integrator[DIM] : CD]);
+    if (!spec->integrator[0])
+        strcpy(spec->integrator, integrator_names[m ? m->integrator[DIM] : CD]);
     while (s->integrator < INTEGRATORS && strcmp(spec->integrator, integrator_names[s->integrator]))
         s->integrator++;
     if (s->integrator == INTEGRATORS)
-        return fault_set(fault, FAULT_USAGE,
-                         "--integrator: got '%s', takes cd, uvf, musl, usl or usf; did you mean '%s'?",
-                         spec->integrator,
-                         nearest_name(spec->integrator, integrator_names, INTEGRATORS));
+        return fault_set(
+            fault, FAULT_USAGE,
+            "--integrator: got '%s', takes cd, uvf, musl, usl or usf; did you mean '%s'?",
+            spec->integrator, nearest_name(spec->integrator, integrator_names, INTEGRATORS));
     s->refresh = run[P_REFRESH] > 0;
     if (!m) {
         if (s->integrator == CD) return 0;
@@ -124,10 +131,11 @@ static int choose_integrator(RunSpec *spec, Plan *plan, const double run[], Faul
     }
     const unsigned valid = m->valid | (s->refresh ? m->valid_fresh : 0);
     if (valid >> s->integrator & 1 || run[P_ALLOW] > 0) return 0;
-    return fault_set(fault, FAULT_USAGE,
-                     "--integrator: got '%s', which is unstable with %s%s; allow_unstable=1 runs it",
-                     spec->integrator, spec->method,
-                     m->valid_fresh >> s->integrator & 1 ? " (stable with --set refresh=1)" : "");
+    return fault_set(
+        fault, FAULT_USAGE,
+        "--integrator: got '%s', which is unstable with %s%s; allow_unstable=1 runs it",
+        spec->integrator, spec->method,
+        m->valid_fresh >> s->integrator & 1 ? " (stable with --set refresh=1)" : "");
 }
 
 /* 1D: a whole number of particles; 2D lattice: n^2 per cell. */
@@ -137,20 +145,23 @@ static int choose_ppc(RunSpec *spec, Plan *plan, const double run[], Fault *faul
     const double length = plan->scene.body_hi[0] - plan->scene.body_lo[0];
     const double given = spec_get(spec, "particles") ? run[P_PARTICLES] : 0;
     if (given > 0 && (DIM > 1 || spec->ppc > 0))
-        return fault_set(fault, FAULT_USAGE, "--set particles: got '%g', takes 1D scenes without --ppc",
-                         given);
+        return fault_set(fault, FAULT_USAGE,
+                         "--set particles: got '%g', takes 1D scenes without --ppc", given);
     if (!(spec->ppc > 0)) spec->ppc = plan->scene.problem->ppc;
     const double n = round(pow(spec->ppc, 1.0 / DIM));
     if (DIM == 1) {
         const double count = given > 0 ? given : round(spec->ppc * s->cells * length);
         if (!(count >= 1 && count <= 1e9 && 2 * count > s->cells * length / 15))
-            return fault_set(fault, FAULT_USAGE, "--ppc: got '%g', takes 1 to 1e9 particles in all and "
-                             "at least 1/30 per cell", spec->ppc);
+            return fault_set(fault, FAULT_USAGE,
+                             "--ppc: got '%g', takes 1 to 1e9 particles in all and "
+                             "at least 1/30 per cell",
+                             spec->ppc);
         s->count = (int)count;
         spec->ppc = count / (s->cells * length);
     } else if (!s->fitted && s->method && fabs(pow(n, DIM) - spec->ppc) > 1e-9 * spec->ppc)
-        return fault_set(fault, FAULT_USAGE, "--ppc: got '%g', takes n^%d (%g, %g, ...) on a lattice",
-                         spec->ppc, DIM, pow(fmax(n, 1), DIM), pow(n + 1, DIM));
+        return fault_set(fault, FAULT_USAGE,
+                         "--ppc: got '%g', takes n^%d (%g, %g, ...) on a lattice", spec->ppc, DIM,
+                         pow(fmax(n, 1), DIM), pow(n + 1, DIM));
     s->ppc = spec->ppc;
     return 0;
 }
@@ -199,7 +210,8 @@ static int make_scene(const RunSpec *spec, Plan *plan, Fault *fault)
     char why[128] = "";
     scene->par = plan->problem_par;
     scene->cell = 1.0 / spec->cells;
-    if (read_params(spec, scene->problem->info.params, plan->problem_par, fault)) return FAULT_USAGE;
+    if (read_params(spec, scene->problem->info.params, plan->problem_par, fault))
+        return FAULT_USAGE;
     if (scene->problem->init(scene, why))
         return fault_set(fault, FAULT_USAGE, "--set: %s: %s", spec->problem, why);
     return 0;
@@ -221,8 +233,8 @@ static int choose_times(RunSpec *spec, Plan *plan, Fault *fault)
     plan->t_end = spec->t_end;
     const double steps = spec->t_end * plan->scene.c * spec->cells / spec->cfl;
     if (steps < 2e9) return 0;
-    return fault_set(fault, FAULT_USAGE, "--cfl: %g to t = %g takes %.3g steps, more than 2e9", spec->cfl,
-                     spec->t_end, steps);
+    return fault_set(fault, FAULT_USAGE, "--cfl: %g to t = %g takes %.3g steps, more than 2e9",
+                     spec->cfl, spec->t_end, steps);
 }
 
 int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
@@ -232,13 +244,14 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     *plan = (Plan){0};
     plan->scene.problem = find_problem(spec->problem);
     if (!plan->scene.problem)
-        return fault_set(fault, FAULT_USAGE, "problem: got '%s', not one of %dD", spec->problem, DIM);
+        return fault_set(fault, FAULT_USAGE, "problem: got '%s', not one of %dD", spec->problem,
+                         DIM);
     if (choose_method(spec, plan, fault)) return FAULT_USAGE;
     for (int k = 0; k < spec->nset; k++)
         if (unknown_setting(plan, spec->set[k].name, fault)) return FAULT_USAGE;
     if (!(spec->cells > 0)) spec->cells = plan->scene.problem->cells;
-    if (read_params(spec, run_params, run, fault) ||
-        whole("steps", run[P_STEPS], fault) || whole("particles", run[P_PARTICLES], fault) ||
+    if (read_params(spec, run_params, run, fault) || whole("steps", run[P_STEPS], fault) ||
+        whole("particles", run[P_PARTICLES], fault) ||
         read_params(spec, plan->method->params, plan->method_par, fault) ||
         make_scene(spec, plan, fault) || choose_integrator(spec, plan, run, fault))
         return FAULT_USAGE;

@@ -28,8 +28,8 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault);
 /* The parameters that every run takes, ended by a NULL name. */
 extern const Param *const common_params;
 
-/* The registries of this dimension, NULL-terminated; registry.c. Solvers that are chosen by name like
- * a method (FEM) stand with the methods in method_infos. */
+/* The registries of this dimension, NULL-terminated; registry.c. Solvers that are chosen by name
+ * like a method (FEM) stand with the methods in method_infos. */
 extern const Solver *const solvers[];
 extern const Info *const problem_infos[], *const method_infos[];
 

@@ -1,36 +1,14 @@
 /* run.c: see run.h. The time loop around a solver, with norms and ledger outside the clock.
  *
- * Velocities live half a step after positions, so the kinetic energy and the power of body forces at
- * t_n are means of those before and after step n; the last instant takes one step more for that,
+ * Velocities live half a step after positions, so the kinetic energy and the power of body forces
+ * at t_n are means of those before and after step n; the last instant takes one step more for that,
  * whose result is thrown away. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
-#include "norm.h"
-#include "output.h"
-#include "resolve.h"
+#include "loop.h"
 #include "table.h"
-
-/* A run under way. */
-typedef struct Loop {
-    const Plan *plan;
-    void *self;
-    Scratch scratch;
-    FILE *history;
-    double dt;
-    long n, done;                /* steps planned and finished */
-    double cpu, wall;            /* [s] inside the solver's step */
-    Errors worst;                /* running maxima */
-    double start, now, largest;  /* K + S - W at the start and now, largest K + S */
-    double work, power;          /* [J] and [W] at the last instant */
-    Vec p0;
-    double drift, momentum;      /* largest |p - p0 - impulse|, largest sum m |v| */
-    Status status;
-    double failed_at;            /* [s] */
-    long growth_step;            /* first step with too much energy, or -1 */
-    Moment last;                 /* what is known of the last instant */
-} Loop;
 
 static double seconds(clockid_t clock)
 {
@@ -163,8 +141,8 @@ static void last_instant(Loop *l)
 {
     Moment m = l->last;
     const double t = m.t, before = look(l, t).power;
-    const Status status = l->done > 0 ? l->plan->solver->step(l->self, t, l->dt, false)
-                                      : (Status){EMPTY, -1, 0};
+    const Status status =
+        l->done > 0 ? l->plan->solver->step(l->self, t, l->dt, false) : (Status){EMPTY, -1, 0};
     const double w = status.code == OK ? 0.5 : 0;
     const Side after = look(l, t);
     m.kinetic = (1 - w) * m.kinetic + w * after.kinetic;
@@ -172,78 +150,11 @@ static void last_instant(Loop *l)
     book_energy(l, &m, (1 - w) * before + w * after.power);
 }
 
-static const char *const status_names[] = {"ok",       "left_grid", "inverted",     "nan",
-                                           "singular", "empty",     "energy_growth"};
-
-static void say_status(const Loop *l, Row *row)
-{
-    const bool grew = l->status.code == OK && l->growth_step >= 0;
-    strcpy(row->status, status_names[grew ? ENERGY_GROWTH : l->status.code]);
-    if (grew)
-        snprintf(row->reason, sizeof row->reason, "step %ld t=%.6g energy 5 %% above its start",
-                 l->growth_step, (double)l->growth_step * l->dt);
-    else if (l->status.code == EMPTY)
-        strcpy(row->reason, "no particle lies inside the body");
-    else if (l->status.code != OK)
-        snprintf(row->reason, sizeof row->reason, "step %ld t=%.6g %s %d %s=%.6g", l->done + 1,
-                 l->failed_at, l->plan->setup.method ? "particle" : "element", l->status.point,
-                 l->status.code == INVERTED ? "J" : "x", l->status.value);
-}
-
-static double known(double count)
-{
-    return count >= 0 ? count : NAN;
-}
-
-static void fill_inputs(const RunSpec *spec, const Plan *plan, Row *row)
-{
-    strcpy(row->problem, spec->problem);
-    strcpy(row->method, spec->method);
-    strcpy(row->integrator, spec->integrator);
-    strcpy(row->layout, plan->setup.fitted ? "radial" : "cartesian");
-    memcpy(row->params, plan->params, sizeof row->params);
-    row->cells = spec->cells;
-    row->h = 1 / spec->cells;
-    row->cfl = spec->cfl > 0 ? spec->cfl : NAN;
-    row->t_end = plan->t_end;
-}
-
-static void fill_counts(const Loop *l, Row *row)
-{
-    Counts c;
-    l->plan->solver->counts(l->self, &c);
-    row->ppc = c.ppc;
-    row->particles = c.particles;
-    row->surface_particles = c.surface;
-    row->nodes = known((double)c.nodes);
-    row->elements = known(c.elements);
-    row->fallbacks = known((double)c.fallbacks);
-}
-
-static void fill_results(const Loop *l, Row *row)
-{
-    const Problem *problem = l->plan->scene.problem;
-    row->steps = (double)l->done;
-    if (problem->exact) {
-        row->error_linf = l->worst.linf;
-        row->error_l2 = l->worst.l2;
-        row->error_l1 = l->worst.l1;
-    }
-    row->cpu_s = l->cpu;
-    row->wall_s = l->wall;
-    say_status(l, row);
-    if (problem->projection) return;
-    row->dt = l->dt;
-    row->energy_drift = (l->now - l->start) / l->largest;
-    row->momentum_drift = l->momentum > 0 ? l->drift / l->momentum : NAN;
-    if (l->done > 0) row->ns_per_particle_step = 1e9 * l->cpu / (row->particles * row->steps);
-}
-
 static void choose_dt(Loop *l)
 {
     const Plan *plan = l->plan;
-    const double unit = plan->solver->unit_dt ? plan->solver->unit_dt(l->self)
-                                              : plan->scene.cell / plan->scene.c;
+    const double unit =
+        plan->solver->unit_dt ? plan->solver->unit_dt(l->self) : plan->scene.cell / plan->scene.c;
     const double n = fmax(ceil(plan->t_end / (plan->cfl * unit) - 1e-9), 1);
     l->dt = plan->t_end / n;
     l->n = plan->steps > 0 && (double)plan->steps < n ? plan->steps : (long)n;
@@ -254,15 +165,15 @@ static int project(Loop *l, Fault *fault)
     Nodes nodes;
     const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
     if (!l->plan->solver->project)
-        return fault_set(fault, FAULT_USAGE, "--method: got '%s', which projects nothing onto a grid",
+        return fault_set(fault, FAULT_USAGE,
+                         "--method: got '%s', which projects nothing onto a grid",
                          l->plan->method->name);
     l->status = l->plan->solver->project(l->self);
     l->cpu = seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
     l->wall = seconds(CLOCK_MONOTONIC) - wall;
     if (l->status.code != OK) return 0;
     l->plan->solver->nodes(l->self, &nodes);
-    if (!scratch_fit(&l->scratch, nodes.n))
-        return fault_set(fault, FAULT_MACHINE, "out of memory");
+    if (!scratch_fit(&l->scratch, nodes.n)) return fault_set(fault, FAULT_MACHINE, "out of memory");
     l->worst = projection_errors(&l->plan->scene, &nodes, &l->scratch);
     return 0;
 }
@@ -300,9 +211,9 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
     }
     if (!code) code = write_files(spec, l, fault);
     if (code) return code;
-    fill_counts(l, row);
+    report_counts(l, row);
     if (!l->plan->scene.problem->projection && l->status.code == OK) last_instant(l);
-    fill_results(l, row);
+    report_results(l, row);
     return 0;
 }
 
@@ -314,7 +225,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     int code = plan_make(&own, &plan, fault);
     if (code) return code;
     *row = row_empty();
-    fill_inputs(&own, &plan, row);
+    report_inputs(&own, &plan, row);
     if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
     if (l.history) history_header(l.history);
     l.self = plan.solver->make(&plan.setup, fault);

@@ -19,26 +19,26 @@ typedef struct Status {
 /* Everything a solver is built from. Not owned by the solver, but outlives it. */
 typedef struct Setup {
     const Scene *scene;
-    const Method *method;        /* NULL for FEM */
-    const double *method_par;    /* values in the order of the method's params */
+    const Method *method;     /* NULL for FEM */
+    const double *method_par; /* values in the order of the method's params */
     Integrator integrator;
-    int cells;                   /* per unit length; h = 1/cells */
+    int cells; /* per unit length; h = 1/cells */
     double ppc;
-    int count;                   /* particles asked for by number (1D), or 0 */
-    bool fitted;                 /* body-fitted layout */
-    bool refresh;                /* L from the accelerated grid velocity before a re-projection */
-    bool snapshot_nodes;         /* nodes() will be called */
+    int count;           /* particles asked for by number (1D), or 0 */
+    bool fitted;         /* body-fitted layout */
+    bool refresh;        /* L from the accelerated grid velocity before a re-projection */
+    bool snapshot_nodes; /* nodes() will be called */
     int threads;
 } Setup;
 
 /* What the row reports of a solver. */
 typedef struct Counts {
-    double ppc;           /* really used */
-    int particles;        /* with mass; FEM: nodes */
-    int surface;          /* surface particles */
-    int elements;         /* FEM; -1 otherwise */
-    long nodes;           /* most live grid nodes at any step; FEM: -1 */
-    long fallbacks;       /* nodes that fell back from their method's own rule; -1: has none */
+    double ppc;     /* really used */
+    int particles;  /* with mass; FEM: nodes */
+    int surface;    /* surface particles */
+    int elements;   /* FEM; -1 otherwise */
+    long nodes;     /* most live grid nodes at any step; FEM: -1 */
+    long fallbacks; /* nodes that fell back from their method's own rule; -1: has none */
 } Counts;
 
 /* Something that advances points in time. `self` is what make returned. One per kind: the particle
@@ -46,14 +46,16 @@ typedef struct Counts {
 typedef struct Solver {
     Info info; /* of a solver that is chosen by name like a method (FEM); else empty */
 
-    /* Builds everything; NULL and a fault (2: no mesh for this scene, bad ppc; 1: memory, said before
-     * it is allocated). */
+    /* Builds everything; NULL and a fault (2: no mesh for this scene, bad ppc; 1: memory, said
+     * before it is allocated). */
     void *(*make)(const Setup *setup, Fault *fault);
 
-    /* Largest stable-looking step [s] for CFL 1, where it is not h/c (FEM's small triangles); or NULL. */
+    /* Largest stable-looking step [s] for CFL 1, where it is not h/c (FEM's small triangles); or
+     * NULL. */
     double (*unit_dt)(const void *self);
 
-    /* One step from t to t + dt [s]; `first` takes the half first step where the integrator has it. */
+    /* One step from t to t + dt [s]; `first` takes the half first step where the integrator has it.
+     */
     Status (*step)(void *self, double t, double dt, bool first);
 
     /* Project velocities to the grid only (projection scenes); NULL if it makes no sense. */

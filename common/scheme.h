@@ -1,9 +1,10 @@
-/* scheme.h: the particle-grid loops, written once: stencils of a chunk, deposit to nodes, gather from
- * nodes. Bodies are always inlined so that stencil width and slopes are constants in each instance.
+/* scheme.h: the particle-grid loops, written once: stencils of a chunk, deposit to nodes, gather
+ * from nodes. Bodies are always inlined so that stencil width and slopes are constants in each
+ * instance.
  *
- * One vector of LANES weights per particle and node serves both directions: lanes below FLUX carry S,
- * the lanes of axis b from FLUX on carry the derivative along b. It is the product of one vector per
- * axis; a row of nodes (along axis 0) shares the product over the other axes. */
+ * One vector of LANES weights per particle and node serves both directions: lanes below FLUX carry
+ * S, the lanes of axis b from FLUX on carry the derivative along b. It is the product of one vector
+ * per axis; a row of nodes (along axis 0) shares the product over the other axes. */
 #ifndef MPMLAB_SCHEME_H
 #define MPMLAB_SCHEME_H
 
@@ -43,13 +44,13 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
     double most = 0.5;
     for (int d = 0; d < DIM; d++) {
         half_widths(sim, c, d, w->b[d]);
-        for (int p = 0; p < CHUNK; p++)
-            w->x[d][p] = c->x[d][p] * sim->g.cells - sim->g.origin[d];
+        for (int p = 0; p < CHUNK; p++) w->x[d][p] = c->x[d][p] * sim->g.cells - sim->g.origin[d];
         if (sim->half_now > 0.5)
             for (int p = 0; p < CHUNK; p++) most = w->b[d][p] > most ? w->b[d][p] : most;
     }
     const int width = method->width(most);
-    for (int d = 0; d < DIM; d++) method->shape(&sim->g.axis[d], width, w->x[d], w->b[d], &w->stencil[d]);
+    for (int d = 0; d < DIM; d++)
+        method->shape(&sim->g.axis[d], width, w->x[d], w->b[d], &w->stencil[d]);
     return width;
 }
 
@@ -86,8 +87,8 @@ static inline Pattern flux_pattern(int table)
 }
 
 /* Lanes of weights of one node on one axis; `tables` (bit t: table t occurs) is a constant. */
-static inline __attribute__((always_inline)) Line axis_weight(const Stencil s[DIM], int d, int k, int p,
-                                                              const Pattern *q, const unsigned tables)
+static inline __attribute__((always_inline)) Line
+axis_weight(const Stencil s[DIM], int d, int k, int p, const Pattern *q, const unsigned tables)
 {
     Line w = s[d].table[T_S][k][p] * q->e[d][T_S];
     for (int t = 1; t < TABLES; t++)
@@ -95,8 +96,10 @@ static inline __attribute__((always_inline)) Line axis_weight(const Stencil s[DI
     return w;
 }
 
-/* What a particle's loop over nodes runs on: row weights and row starts, for `width` nodes an axis. */
-#define FOR_ROWS(r, width) for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? width : width * width); r++)
+/* What a particle's loop over nodes runs on: row weights and row starts, for `width` nodes an axis.
+ */
+#define FOR_ROWS(r, width)                                                                         \
+    for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? width : width * width); r++)
 
 /* Node index of row r of the stencil of particle p. */
 static inline size_t row_start(const Grid *g, const Stencil s[DIM], int p, int width, int r)
@@ -110,9 +113,8 @@ static inline size_t row_start(const Grid *g, const Stencil s[DIM], int p, int w
 }
 
 /* Product of the weights of all axes but the first, for row r (DIM > 1). */
-static inline __attribute__((always_inline)) Line row_weight(const Stencil s[DIM], const Pattern *q,
-                                                             int p, int width, int r,
-                                                             const unsigned tables)
+static inline __attribute__((always_inline)) Line
+row_weight(const Stencil s[DIM], const Pattern *q, int p, int width, int r, const unsigned tables)
 {
     Line y = axis_weight(s, DIM > 1, DIM == 2 ? r : r % width, p, q, tables);
     for (int d = 2; d < DIM; d++) y *= axis_weight(s, d, r / width, p, q, tables);
@@ -148,7 +150,8 @@ static inline __attribute__((always_inline)) void deposit(Grid *g, const Work *w
     }
 }
 
-/* A_p[lane] = sum_i w node[lane], the lanes from FLUX on weighted with the given table: T_G, T_R. */
+/* A_p[lane] = sum_i w node[lane], the lanes from FLUX on weighted with the given table: T_G, T_R.
+ */
 static inline __attribute__((always_inline)) void gather(const Grid *g, Work *w, const int width,
                                                          const int table)
 {
@@ -173,8 +176,7 @@ static inline __attribute__((always_inline)) void gather(const Grid *g, Work *w,
 static inline __attribute__((always_inline)) void deposit_force(Grid *g, const Work *w,
                                                                 const int width)
 {
-    for (int p = 0; p < CHUNK; p++)
-        FOR_ROWS(r, width)
+    for (int p = 0; p < CHUNK; p++) FOR_ROWS(r, width)
         {
             double y = 1;
             for (int d = 1; d < DIM; d++)
@@ -186,8 +188,8 @@ static inline __attribute__((always_inline)) void deposit_force(Grid *g, const W
         }
 }
 
-/* Payload from fields to lines. A is given at the particle; with slopes it is moved to the stencil's
- * first node, and the slopes are scaled to steps of one cell. */
+/* Payload from fields to lines. A is given at the particle; with slopes it is moved to the
+ * stencil's first node, and the slopes are scaled to steps of one cell. */
 static inline void pack_payload(const Sim *sim, Work *w, bool affine)
 {
     Payload *q = &w->payload;

@@ -15,7 +15,7 @@ static double widest_half(double half)
 static bool field_used(const Setup *s, int field)
 {
     if (field >= AT_N) return s->method->surface;
-    if (field >= AT_U) return s->integrator == MUSL;
+    if (field >= AT_U) return s->integrator == MUSL || s->method->filter;
     if (field >= AT_L) return s->method->keeps_L || s->refresh;
     return true;
 }
@@ -46,6 +46,7 @@ static bool grid_alloc(Sim *sim)
     ok = (g->impulse = calloc((size_t)g->rows, sizeof(Vec))) && ok;
     ok = (g->count = get((size_t)longest + 1, sizeof(int))) && ok;
     if (s->scene->problem->body) ok = (g->force = get(n * DIM, sizeof(double))) && ok;
+    if (s->method->filter) ok = (g->keep = get(n, sizeof(Line))) && ok;
     if (s->snapshot_nodes) ok = (g->mass = calloc(n, sizeof(double))) && ok;
     return ok;
 }
@@ -68,7 +69,8 @@ static bool particles_alloc(Sim *sim)
     return ok;
 }
 
-/* Bytes that a scene will need, before anything is allocated; doubles, so that nothing overflows. */
+/* Bytes that a scene will need, before anything is allocated; doubles, so that nothing overflows.
+ */
 static double bytes_needed(const Sim *sim, double particles)
 {
     const Scene *scene = sim->setup->scene;
@@ -94,9 +96,10 @@ static int check_size(const Sim *sim, Fault *fault)
     const double need = bytes_needed(sim, particles);
     const double have = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
     if (need < have && particles < INT_MAX / 2) return 0;
-    return fault_set(fault, FAULT_MACHINE,
-                     "%s with %d cells and ppc %g needs %.3g GB of memory, this machine has %.3g GB",
-                     s->scene->problem->info.name, s->cells, s->ppc, need / 1e9, have / 1e9);
+    return fault_set(
+        fault, FAULT_MACHINE,
+        "%s with %d cells and ppc %g needs %.3g GB of memory, this machine has %.3g GB",
+        s->scene->problem->info.name, s->cells, s->ppc, need / 1e9, have / 1e9);
 }
 
 static void make_grid(Sim *sim)
@@ -147,8 +150,9 @@ static void fill_particles(Sim *sim, const Layout *layout)
         n++;
     }
     p->n = n;
-    /* Lighter nodes are empty. A tent's force does not fade with its mass, so that a node of round-off
-     * weight must not move; a smooth weight's force goes as the root of its mass, and is kept. */
+    /* Lighter nodes are empty. A tent's force does not fade with its mass, so that a node of
+     * round-off weight must not move; a smooth weight's force goes as the root of its mass, and is
+     * kept. */
     const double least = sim->method.smooth ? 1e-24 : 1e-12;
     sim->mass_cut = least * scene->mat.rho * body_volume(scene) / (n - sim->surface);
 }
@@ -163,8 +167,7 @@ static bool start_particles(Sim *sim)
     if (!L) return false;
     for (int k = 0; k < NMAT; k++) {
         l[k] = p->field[AT_L + k] ? p->field[AT_L + k] : L + (size_t)k * room;
-        for (int s = 0; s < p->n; s++)
-            l[k][s] = 0, p->field[AT_F + k][s] = k % (DIM + 1) == 0;
+        for (int s = 0; s < p->n; s++) l[k][s] = 0, p->field[AT_F + k][s] = k % (DIM + 1) == 0;
     }
     for (int d = 0; d < DIM; d++)
         for (int s = 0; s < p->n; s++) p->field[AT_X + d][s] = p->field[AT_V + d][s] = 0;
@@ -196,6 +199,7 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
     sim->half = 0.5 / per_axis;
     sim->half_max = widest_half(sim->half);
     if (check_size(sim, fault)) return -1;
+    layout->dense = sim->method.surface_per_cell / per_axis;
     if (layout_make(layout, s->scene, sim->dx / per_axis, s->count, s->fitted, fault)) return -1;
     for (int k = 0; k < layout->n; k++) {
         const bool surface = s->method->surface && !(layout->volume[k] > 0);
@@ -217,12 +221,13 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
 
 Sim *sim_new(const Setup *setup, Fault *fault)
 {
-    Sim *sim = calloc(1, sizeof *sim);
+    Sim *sim = get(1, sizeof *sim);
     Layout layout = {0};
     if (!sim) {
         fault_set(fault, FAULT_MACHINE, "out of memory");
         return NULL;
     }
+    *sim = (Sim){0};
     sim->setup = setup;
     sim->method = *setup->method;
     if (sim->method.adapt) sim->method.adapt(setup->method_par, &sim->method);
@@ -240,7 +245,8 @@ void sim_free(Sim *sim)
     Particles *p = &sim->p;
     if (sim->own) sim->method.free(sim);
     for (int d = 0; d < DIM; d++) free(g->hold[d]);
-    free(g->node), free(g->lo), free(g->hi), free(g->live), free(g->impulse), free(g->count);
+    free(g->node), free(g->keep), free(g->lo), free(g->hi), free(g->live), free(g->impulse),
+        free(g->count);
     free(g->force), free(g->mass), free(sim->block);
     for (int f = 0; f < FIELDS; f++) free(p->field[f]);
     free(p->spare), free(p->id), free(p->order), free(p->source), free(p->key);

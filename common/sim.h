@@ -12,28 +12,29 @@
 
 /* Particle fields; each is an array over slots, or NULL where the run does not need it. */
 enum {
-    AT_X0 = 0,                 /* reference position [m], DIM of them */
-    AT_X = AT_X0 + DIM,        /* position [m] */
-    AT_V = AT_X + DIM,         /* velocity [m/s] */
-    AT_F = AT_V + DIM,         /* deformation gradient [-], NMAT of them */
-    AT_M = AT_F + NMAT,        /* mass [kg] */
-    AT_VOL = AT_M + 1,         /* reference volume [m^DIM] */
-    AT_L = AT_VOL + 1,         /* velocity gradient [1/s], NMAT: if the method keeps it */
-    AT_U = AT_L + NMAT,        /* displacement of this step [m], DIM: if the integrator keeps it */
-    AT_N = AT_U + DIM,         /* outward normal in the reference state, DIM: 0 but on surface points */
+    AT_X0 = 0,          /* reference position [m], DIM of them */
+    AT_X = AT_X0 + DIM, /* position [m] */
+    AT_V = AT_X + DIM,  /* velocity [m/s] */
+    AT_F = AT_V + DIM,  /* deformation gradient [-], NMAT of them */
+    AT_M = AT_F + NMAT, /* mass [kg] */
+    AT_VOL = AT_M + 1,  /* reference volume [m^DIM] */
+    AT_L = AT_VOL + 1,  /* velocity gradient [1/s], NMAT: if the method keeps it */
+    AT_U = AT_L + NMAT, /* displacement of this step [m], DIM: if the integrator keeps it */
+    AT_N = AT_U + DIM,  /* outward normal in the reference state, DIM: of surface points */
     FIELDS = AT_N + DIM
 };
 
 typedef struct Particles {
-    int count;            /* real ones, surface points included */
-    int n, room;          /* slots in use and allocated, multiples of CHUNK */
+    int count;   /* real ones, surface points included */
+    int n, room; /* slots in use and allocated, multiples of CHUNK */
     double *field[FIELDS];
-    double *spare;        /* [room] for sorting */
-    int *id;              /* [room] placement order; -1: padding */
+    double *spare;             /* [room] for sorting */
+    int *id;                   /* [room] placement order; -1: padding */
     int *order, *source, *key; /* [room] for sorting */
 } Particles;
 
-/* Chunks [first, last) of one block of grid rows. Blocks of equal parity never touch a common node. */
+/* Chunks [first, last) of one block of grid rows. Blocks of equal parity never touch a common node.
+ */
 typedef struct Block {
     int first, last;
 } Block;
@@ -44,21 +45,23 @@ typedef struct Mirror {
 } Mirror;
 
 typedef struct Grid {
-    int cells;                 /* per unit length; h = 1/cells [m] */
-    int origin[DIM];           /* node index 0 lies at x = origin/cells */
-    int n[DIM];                /* nodes per axis, ghosts included */
-    int rows;                  /* n[1] n[2] ...: lines of nodes along axis 0 */
-    Line *node;                /* [rows * n[0]] lanes: dim.h */
-    double *force;             /* [rows * n[0]][DIM] body force [N], or NULL */
-    double *mass;              /* [rows * n[0]] copy for who looks at nodes, or NULL */
-    Axis axis[DIM];            /* where walls stand, for shapes that fold their weights there */
-    unsigned char *hold[DIM];  /* [n[d]] bit a: component a is held at this index of axis d */
-    Mirror mirror[2 * DIM];    /* by axis */
+    int cells;                /* per unit length; h = 1/cells [m] */
+    int origin[DIM];          /* node index 0 lies at x = origin/cells */
+    int n[DIM];               /* nodes per axis, ghosts included */
+    int rows;                 /* n[1] n[2] ...: lines of nodes along axis 0 */
+    Line *node;               /* [rows * n[0]] lanes: dim.h */
+    Line *keep;               /* [rows * n[0]] what a velocity filter puts aside, or NULL */
+    Line zero;                /* an empty node */
+    double *force;            /* [rows * n[0]][DIM] body force [N], or NULL */
+    double *mass;             /* [rows * n[0]] copy for who looks at nodes, or NULL */
+    Axis axis[DIM];           /* where walls stand, for shapes that fold their weights there */
+    unsigned char *hold[DIM]; /* [n[d]] bit a: component a is held at this index of axis d */
+    Mirror mirror[2 * DIM];   /* by axis */
     int nmirror;
-    int *lo, *hi;              /* [rows] live span: nodes lo <= i < hi of each row */
-    int *count;                /* [longest axis + 1] for sorting */
-    Vec *impulse;              /* [rows] [kg m/s] momentum ledger of this step */
-    int *live;                 /* [rows] nodes with mass */
+    int *lo, *hi; /* [rows] live span: nodes lo <= i < hi of each row */
+    int *count;   /* [longest axis + 1] for sorting */
+    Vec *impulse; /* [rows] [kg m/s] momentum ledger of this step */
+    int *live;    /* [rows] nodes with mass */
 } Grid;
 
 typedef struct Sim {
@@ -69,21 +72,22 @@ typedef struct Sim {
     Grid g;
     Block *block;
     int nblock, block_rows;
-    double ppc;        /* particles per cell, as placed */
-    double half;       /* l0/h: half width of an undeformed particle in cells */
-    double half_max;   /* widest half width that the stencils allow for, in cells */
-    double half_plan;  /* the one that the current order and spans were made for */
-    double half_now;   /* widest now */
-    double travel;     /* farthest any particle may have moved since the last sort, in cells */
-    double mass_cut;   /* nodes with less are empty [kg] */
-    long nodes;        /* most live nodes so far */
-    Vec impulse;       /* [kg m/s] given by body forces and walls so far */
-    double dx;         /* 1/cells [m] */
-    int surface;       /* surface particles, if the method has any */
-    long fallbacks;    /* nodes that fell back from their method's own rule, summed over steps */
+    double ppc;       /* particles per cell, as placed */
+    double half;      /* l0/h: half width of an undeformed particle in cells */
+    double half_max;  /* widest half width that the stencils allow for, in cells */
+    double half_plan; /* the one that the current order and spans were made for */
+    double half_now;  /* widest now */
+    double travel;    /* farthest any particle may have moved since the last sort, in cells */
+    double mass_cut;  /* nodes with less are empty [kg] */
+    long nodes;       /* most live nodes so far */
+    Vec impulse;      /* [kg m/s] given by body forces and walls so far */
+    double dx;        /* 1/cells [m] */
+    int surface;      /* surface particles, if the method has any */
+    long fallbacks;   /* nodes that fell back from their method's own rule, summed over steps */
 } Sim;
 
-/* Places and allocates everything; NULL and a fault (2: parameters, 1: memory, before it is taken). */
+/* Places and allocates everything; NULL and a fault (2: parameters, 1: memory, before it is taken).
+ */
 Sim *sim_new(const Setup *setup, Fault *fault);
 void sim_free(Sim *sim);
 
@@ -97,23 +101,25 @@ void sim_sort(Sim *sim);
  * force too) and filled from them (unfold, before a gather); mirror.c. All by parity per component,
  * so that no method knows of it. unfold also books what the ghosts' share of momentum received. */
 void grid_fold(Sim *sim);
-typedef void PairVisit(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row, void *own);
-void grid_visit_pairs(Sim *sim, bool back, PairVisit *visit, void *own); /* ghosts and their images */
+typedef void PairVisit(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
+                       void *own);
+void grid_visit_pairs(Sim *sim, bool back, PairVisit *visit, void *own); /* ghosts, their images */
 void grid_unfold(Sim *sim, double dt);
 void grid_mirror_spans(Grid *g);
+void grid_wall_images(
+    Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */
 bool grid_is_ghost_row(const Grid *g, int row, int above); /* of a mirror across an axis > above */
 
-/* Node number of grid index `index`, or of its image if it lies beyond a symmetry line: then sign[a] is
- * the parity of component a, else 1. NOWHERE outside the live nodes. */
+/* Node number of grid index `index`, or of its image if it lies beyond a symmetry line: then
+ * sign[a] is the parity of component a, else 1. NOWHERE outside the live nodes. */
 #define NOWHERE ((size_t)-1)
 size_t grid_image(const Grid *g, const int index[DIM], double sign[DIM]);
 
-/* What a chunk's points carry at time t: T = J sigma [Pa] and body force per mass b [m/s^2] (0 if the
- * scene has none); step.c. */
+/* What a chunk's points carry at time t: T = J sigma [Pa] and body force per mass b [m/s^2] (0 if
+ * the scene has none). Distance [cells] of a node inside the body, from a scene that knows it; else
+ * NAN. deposit.c. */
 void sim_stress(const Sim *sim, const Chunk *c, Field T[NMAT]);
 void sim_body(const Sim *sim, const Chunk *c, double t, Field b[DIM]);
-
-/* Distance [cells] of a node inside the body at time t, from a scene that knows it; NAN else. */
 double sim_distance(const Sim *sim, const int index[DIM], double t);
 
 /* The view of chunk k that a method's stages work on. */

@@ -9,7 +9,8 @@
 extern const char *const integrator_names[INTEGRATORS + 1];
 
 /* One step from t to t + dt [s]; `first` takes the half first step where the integrator has one.
- * Returns the first thing that went wrong (lowest particle id), with the particles left as they are. */
+ * Returns the first thing that went wrong (lowest particle id), with the particles left as they
+ * are. */
 Status sim_step(Sim *sim, double t, double dt, bool first);
 
 /* Masses and velocities to the grid, nothing else. */

@@ -146,6 +146,15 @@ static void start_block(Fem *f, int lo, int n)
         for (int i = 0; i < n; i++) f->now[lo + i][d] = f->x[d][lo + i] = X[d][i] + u[d][i];
 }
 
+/* As many as asked for, but none for less than 32 chunks, some 20 us of work: waking it costs more.
+ */
+static int threads_for(int asked, int slots)
+{
+    const int worth = slots / (32 * CHUNK);
+    const int threads = asked < worth ? asked : worth;
+    return threads > 1 ? threads : 1;
+}
+
 Fem *fem_new(const Setup *setup, Fault *fault)
 {
     Mesh mesh;
@@ -156,10 +165,10 @@ Fem *fem_new(const Setup *setup, Fault *fault)
         return NULL;
     }
     f->scene = setup->scene;
-    f->threads = setup->threads > 0 ? setup->threads : 1;
     f->nodes = mesh.nodes;
     f->elements = mesh.elements;
     f->slots = (mesh.elements + CHUNK - 1) / CHUNK * CHUNK;
+    f->threads = threads_for(setup->threads, f->slots);
     f->edge = 1.0 / setup->cells;
     if (allocate(f, setup->cells, fault)) {
         free(f);

@@ -1,11 +1,14 @@
 /* element.c: strain and internal forces of linear triangles with one Gauss point (W11 A3, A4).
  *
- *   F = e B,  e = (x2 - x1, x3 - x1) as columns, B the inverse of the same in the reference.
- * Equal to A4's (I - sum u grad phi)^-1, but with gradients that are known once for all, and free
- * of the cancellation and the inverse. The forces, with the area A that A3 lacks, f_i = -A sigma
- * grad phi_i,  sigma = T/J, A grad phi_2 = (e3_y, -e3_x)/2,  A grad phi_3 = (-e2_y, e2_x)/2,  f_1 =
- * -f_2 - f_3 need current edges only. Every element writes its own slots: no order of summation
- * arises here. */
+ *   F = e B,  e = (x2 - x1, x3 - x1) as columns, B the inverse of the same in the reference,
+ *
+ * equal to A4's (I - sum u grad phi)^-1, but with gradients that are known once for all, free of
+ * its cancellation and its inverse. The forces, with the area A that A3 lacks,
+ *
+ *   f_i = -A sigma grad phi_i,  sigma = T/J,  f_1 = -f_2 - f_3,
+ *   A grad phi_2 = (e3_y, -e3_x)/2,  A grad phi_3 = (-e2_y, e2_x)/2,
+ *
+ * need current edges only. Every element writes its own slots: no order of summation arises. */
 #include <float.h>
 #include "fem.h"
 
@@ -87,9 +90,7 @@ static Status first_culprit(const Fem *f)
 void fem_strain(Fem *f)
 {
     int bad = 0;
-#pragma omp parallel for schedule(static) num_threads(f->threads) if (f->threads > 1)              \
-    reduction(|                                                                                    \
-              : bad)
+#pragma omp parallel for schedule(static) num_threads(f->threads) reduction(| : bad)
     for (int start = 0; start < f->slots; start += CHUNK) bad |= strain_chunk(f, start);
     f->status = bad ? first_culprit(f) : (Status){OK, -1, 0};
 }

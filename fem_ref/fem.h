@@ -1,10 +1,8 @@
-/* fem.h: state of the explicit linear-triangle FEM (W11 Appendix A), shared by the files of this
- * room.
+/* fem.h: state of the explicit linear-triangle FEM (W11 Appendix A), shared by the files here.
  *
  * Nodes and elements are arrays per component. Element arrays have `slots` = elements rounded up to
  * whole chunks; the slots behind the last element repeat it with area 0, and no node listens to
- * them. What is fetched by index, positions and corner forces, lies in pairs: one load instead of
- * two. */
+ * them. What is fetched by index (positions, corner forces) lies in pairs: one load, not two. */
 #ifndef MPMLAB_FEM_H
 #define MPMLAB_FEM_H
 
@@ -12,7 +10,8 @@
 
 enum { CORNERS = 3, VALENCE = 8 /* most corners in a node */, BLOCK = 256 /* nodes of a task */ };
 
-typedef double Pair __attribute__((vector_size(DIM * sizeof(double)))); /* a vector in the plane */
+/* A vector in the plane, also read and written as double[DIM]. */
+typedef double Pair __attribute__((vector_size(DIM * sizeof(double)), may_alias));
 
 typedef struct Fem {
     const Scene *scene;
@@ -49,8 +48,7 @@ static inline int no_force(const Fem *f)
     return CORNERS * f->slots;
 }
 
-/* Plans the mesh, checks memory, allocates and fills everything. NULL and a fault as in
- * Solver.make. */
+/* Plans the mesh, checks memory, allocates and fills all. NULL and a fault as in Solver.make. */
 Fem *fem_new(const Setup *setup, Fault *fault);
 void fem_free(Fem *f);
 

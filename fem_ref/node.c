@@ -98,6 +98,6 @@ static void move_block(Fem *f, int lo, double t, double dt, double dt_v)
 void fem_move(Fem *f, double t, double dt, bool first)
 {
     const double dt_v = first ? 0.5 * dt : dt;
-#pragma omp parallel for schedule(static) num_threads(f->threads) if (f->threads > 1)
+#pragma omp parallel for schedule(static) num_threads(f->threads)
     for (int lo = 0; lo < f->nodes; lo += BLOCK) move_block(f, lo, t, dt, dt_v);
 }

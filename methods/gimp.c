@@ -5,7 +5,8 @@
 const Method method_gimp = {
     .info = {.name = "gimp",
              .label = "GIMP",
-             .about = "tent convolved with the particle's box, mass-weighted projection, FLIP update",
+             .about =
+                 "tent convolved with the particle's box, mass-weighted projection, FLIP update",
              .source = "Bardenhagen & Kober 2004; W07 eq 2.1"},
     .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},

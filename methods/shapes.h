@@ -29,6 +29,22 @@ static inline void tent_shape(const Axis *axis, int width, const Field x, const 
     }
 }
 
+/* The tent whose points on a wall see the cell within it, not the one beyond. */
+static inline void inner_tent_shape(const Axis *axis, int width, const Field x, const Field b,
+                                    Stencil *out)
+{
+    (void)width, (void)b;
+    const double wall = axis->wall_hi, above = wall + 1e-9;
+    for (int p = 0; p < CHUNK; p++) {
+        double c = floor(x[p]);
+        c = c >= wall && x[p] < above ? wall - 1 : c;
+        double f = x[p] - c;
+        out->base[p] = (int)c;
+        out->table[T_S][0][p] = 1 - f, out->table[T_S][1][p] = f;
+        out->table[T_G][0][p] = -1, out->table[T_G][1][p] = 1;
+    }
+}
+
 /* Nodes |k - r| < 1 + b about the nearest node, |r| <= 1/2. */
 static inline int gimp_width(double b)
 {

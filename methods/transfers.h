@@ -19,7 +19,8 @@ static inline void mass_payload(const Chunk *c, const Field T[NMAT], Payload *ou
             for (int p = 0; p < CHUNK; p++) out->A[FLUX + b * DIM + a][p] = -T[a * DIM + b][p];
 }
 
-/* W07 eq 4.2: every particle offers node i the velocity v_p + L_p (x_i - x_p); mass is untouched. */
+/* W07 eq 4.2: every particle offers node i the velocity v_p + L_p (x_i - x_p); mass is untouched.
+ */
 static inline void gradient_payload(const Chunk *c, const Field T[NMAT], Payload *out)
 {
     mass_payload(c, T, out);
@@ -41,15 +42,17 @@ static inline void take_position(const Chunk *c, const Field sums[], double dt, 
     }
 }
 
-/* F += dt L F with L_ab = dv_a/dx_b; L is kept if the method asked for it. */
-static inline void take_gradient(const Chunk *c, const Field sums[], double dt, unsigned take)
+/* L_ab = dv_a/dx_b, for the next step's deposit. */
+static inline void keep_gradient(const Chunk *c, const Field sums[])
 {
-    if ((take & (TAKE_F | TAKE_L)) && c->L[0])
-        for (int a = 0; a < DIM; a++)
-            for (int b = 0; b < DIM; b++)
-                for (int p = 0; p < CHUNK; p++)
-                    c->L[a * DIM + b][p] = sums[FLUX + b * DIM + a][p];
-    if (!(take & TAKE_F)) return;
+    for (int a = 0; a < DIM; a++)
+        for (int b = 0; b < DIM; b++)
+            for (int p = 0; p < CHUNK; p++) c->L[a * DIM + b][p] = sums[FLUX + b * DIM + a][p];
+}
+
+/* F += dt L F */
+static inline void deform(const Chunk *c, const Field sums[], double dt)
+{
     for (int p = 0; p < CHUNK; p++) {
         double F[NMAT];
         for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
@@ -70,7 +73,8 @@ static inline void flip_update(const Chunk *c, const Field sums[], double dt, un
         for (int a = 0; a < DIM; a++)
             for (int p = 0; p < CHUNK; p++) c->v[a][p] += dt * sums[DIM + a][p];
     take_position(c, sums, dt, take);
-    take_gradient(c, sums, dt, take);
+    if ((take & (TAKE_F | TAKE_L)) && c->L[0]) keep_gradient(c, sums);
+    if (take & TAKE_F) deform(c, sums, dt);
 }
 
 #endif

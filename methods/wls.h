@@ -108,6 +108,6 @@ bool wls_make(Sim *sim);
 void wls_free(Sim *sim);
 void wls_adapt(const double par[], Method *own);
 void wls_assemble(Sim *sim, double t, bool force);
-void wls_repair(Sim *sim, bool force);
+void wls_repair(Sim *sim);
 
 #endif

@@ -1,4 +1,5 @@
 /* wls_step.c: the stages of WLS in order (W11 section 4), and their workspace. */
+#include <math.h>
 #include <stdlib.h>
 #include "shapes.h"
 #include "wls.h"
@@ -23,7 +24,8 @@ bool wls_make(Sim *sim)
     w->literal = par[P_AVERAGE] > AVERAGE_WEIGHTED;
     w->trigger = par[P_TRIGGER];
     w->inside = 2 * sim->setup->ppc / CORNERS; /* the paper's 2, at its two particles an axis */
-    w->surface_beta = 1;
+    const double denser = sim->method.surface_per_cell / pow(sim->setup->ppc, 1.0 / DIM);
+    w->surface_beta = denser > 0 ? 1 / denser : 1;
     w->fit = nodes_of(n, sizeof *w->fit);
     w->skin = nodes_of(n, sizeof *w->skin);
     w->most = nodes_of(n, sizeof *w->most);
@@ -43,9 +45,11 @@ void wls_free(Sim *sim)
 
 void wls_adapt(const double par[], Method *own)
 {
+    own->surface_per_cell = par[P_SURFACE_PER_CELL];
     if (par[P_RETURN] < RETURN_SPLINE) return;
     own->width = spline_width;
     own->shape = spline_shape;
+    own->wall_images = true;
 }
 
 static void solve_row(Sim *sim, int row)
@@ -74,10 +78,10 @@ void wls_assemble(Sim *sim, double t, bool force)
     wls_integrate(sim);
 }
 
-void wls_repair(Sim *sim, bool force)
+void wls_repair(Sim *sim)
 {
     const Grid *g = &sim->g;
-    (void)force;
+
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0)) wls_repair_row(sim, row);

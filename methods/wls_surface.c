@@ -6,6 +6,10 @@
 #include <math.h>
 #include "wls.h"
 
+/* A node this near the surface [cells] lies inside: a body that ends on a wall of the grid fills
+ * its last cells, corners included, whatever round-off says. */
+static const double ON_SURFACE = 1e-9;
+
 /* n = sum_i G_i(x) beta_i, eq 16, at x [cells from node 0]; nodes beyond the live ones have none.
  */
 static void beta_gradient(const Sim *sim, const double x[DIM], double n[DIM])
@@ -59,6 +63,6 @@ void wls_distances(Sim *sim, int row, double t)
         else if (skin[K_ONE] > 0)
             d = w->distance_by == DISTANCE_NORMALS ? skin[K_NORMAL] / skin[K_ONE]
                                                    : mean_distance(sim, index, skin);
-        w->distance[at] = d;
+        w->distance[at] = fabs(d) < ON_SURFACE ? ON_SURFACE : d;
     }
 }

@@ -1,9 +1,11 @@
-# style.gp: what all figures share. The caller sets fmt (svg, png), out, dir, name, csv and plots.
+# style.gp: what all figures share. The caller sets fmt (svg, png), out, dir, name, csv and plots; a script
+# may set `tall` (height over the usual) before it loads this.
+if (!exists('tall')) tall = 1
 set encoding utf8
 if (fmt eq 'png') {
-    set terminal pngcairo size 1400,950 font 'DejaVu Sans,18' enhanced linewidth 1.4 background '#ffffff'
+    set terminal pngcairo size 1400,int(950 * tall) font 'DejaVu Sans,18' enhanced linewidth 1.4 background '#ffffff'
 } else {
-    set terminal svg size 720,490 dynamic font 'DejaVu Sans,12' enhanced name name background '#ffffff'
+    set terminal svg size 720,int(490 * tall) dynamic font 'DejaVu Sans,12' enhanced name name background '#ffffff'
 }
 set output out
 set datafile separator ','
@@ -31,6 +33,7 @@ set grid xtics ytics lt 1 dt 1 lw 0.7 lc rgb '#e3e3e3'
 set key textcolor rgb '#222222' samplen 2.4 spacing 1.2 Left reverse
 set style line 20 lc rgb '#666666' lw 1.2 dt 1 # guides
 set style line 21 lc rgb '#666666' lw 1.2 dt 2
+set style line 22 lc rgb '#334155' pt 7 ps 0.7 # particles where no method matters
 set minussign
 minus(s) = strstrt(s, '-') == 1 ? '−'.s[2:] : s # the sign of a number that sprintf wrote
 set tmargin 3

@@ -1,14 +1,16 @@
 /* bar.c: a bar in uniform motion whose left end is stopped at t = 0 (W07 5.2, eq 5.1, figs 11, 12).
  *
- * Linear wave equation: with t' = t mod 2 L/c, u = s v0 min(t', X/c, 2 L/c - t'), and s = +-1 changes
- * sign each half period 2 L/c. The strain stays at v0/c = 1 %, so finite strain shows only weakly. */
+ * Linear wave equation: with t' = t mod 2 L/c, u = s v0 min(t', X/c, 2 L/c - t'), and s = +-1
+ * changes sign each half period 2 L/c. The strain stays at v0/c = 1 %, so finite strain shows only
+ * weakly. */
 #include <math.h>
 #include "../common/problem.h"
 
 enum { E, LAW, V0 };
 
 static const Param params[] = {
-    {"E", 1e4, 1e-12, 1e15, "Pa", "Young's modulus; density, length and area are 1", "W07 5.2", NULL},
+    {"E", 1e4, 1e-12, 1e15, "Pa", "Young's modulus; density, length and area are 1", "W07 5.2",
+     NULL},
     {"law", NEO_HOOKEAN, 0, 1, "", "material law", "W11 eq 32", "neo_hookean|linear"},
     {"v0", 1, -1e6, 1e6, "m/s", "initial velocity", "W07 5.2", NULL},
     {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
@@ -37,8 +39,7 @@ static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
     const double half = 2 / s->c, turns = floor(t / half), rest = t - turns * half;
     const double sign = fmod(turns, 2) > 0 ? -1 : 1;
     const double edge = fmin(rest, half - rest); /* ends of the saw-tooth */
-    for (int p = 0; p < n; p++)
-        u[0][p] = sign * s->par[V0] * fmin(edge, X[0][p] / s->c);
+    for (int p = 0; p < n; p++) u[0][p] = sign * s->par[V0] * fmin(edge, X[0][p] / s->c);
 }
 
 const Problem problem_bar = {

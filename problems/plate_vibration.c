@@ -1,9 +1,9 @@
 /* plate_vibration.c: in-plane vibration of a unit square (Soedel 2004; W07 5.3, figs 14, 15).
  *
  *   u = A cos(pi x) sin(pi y) cos wt,  v = -+A sin(pi x) cos(pi y) cos wt
- * Shear mode (upper sign): free of divergence, w = pi sqrt(2 mu/rho). Dilatational mode (lower sign): free
- * of rotation, w = pi sqrt(2 (lambda + 2 mu)/rho). Sides are free to move along their normal, not along
- * themselves: tangential velocity 0 on the side nodes and on all nodes beyond. */
+ * Shear mode (upper sign): free of divergence, w = pi sqrt(2 mu/rho). Dilatational mode (lower
+ * sign): free of rotation, w = pi sqrt(2 (lambda + 2 mu)/rho). Sides are free to move along their
+ * normal, not along themselves: tangential velocity 0 on the side nodes and on all nodes beyond. */
 #include <math.h>
 #include "../common/problem.h"
 

@@ -145,8 +145,8 @@ static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
     const int rings = (int)ceil((outer - inner) / spacing - 1e-9);
     const double dr = (outer - inner) / rings;
     for (int k = 0; k < rings; k++) add_circle(s, inner + (k + 0.5) * dr, dr, spacing, out);
-    add_circle(s, inner, 0, spacing, out);
-    add_circle(s, outer, 0, spacing, out);
+    add_circle(s, inner, 0, layout_surface_spacing(out, spacing), out);
+    add_circle(s, outer, 0, layout_surface_spacing(out, spacing), out);
     return true;
 }
 

@@ -1,7 +1,8 @@
 /* squeeze.c: projection of a known velocity field from particles to nodes (W07 sections 3 and 5.1).
  *
- * Any number of particles is squeezed into [0, 1]; each carries v(x_p) and the exact L, and the error
- * is that of the projected node velocities. The degenerate arrangements are those of W07 fig 3. */
+ * Any number of particles is squeezed into [0, 1]; each carries v(x_p) and the exact L, and the
+ * error is that of the projected node velocities. The degenerate arrangements are those of W07
+ * fig 3. */
 #include <math.h>
 #include <string.h>
 #include "../common/place.h"
@@ -11,11 +12,13 @@ enum { FIELD, ARRANGEMENT };
 enum { FIELD_LINEAR, FIELD_QUADRATIC };
 enum { EVEN, CENTRED, SHIFTED, UNEQUAL, CLUSTERED };
 
-static const Param params[] = {
-    {"field", FIELD_LINEAR, 0, 1, "", "v = 1 + x or v = (1 + x)^2", "W07 section 3", "linear|quadratic"},
-    {"arrangement", EVEN, 0, 4, "", "particles: evenly squeezed; or two a cell: centred, shifted, of "
-     "unequal mass, clustered", "W07 figs 3, 4", "even|centred|shifted|unequal|clustered"},
-    {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+static const Param params[] = {{"field", FIELD_LINEAR, 0, 1, "", "v = 1 + x or v = (1 + x)^2",
+                                "W07 section 3", "linear|quadratic"},
+                               {"arrangement", EVEN, 0, 4, "",
+                                "particles: evenly squeezed; or two a cell, centred, or in every "
+                                "second cell shifted, of unequal mass, clustered",
+                                "W07 figs 3, 4", "even|centred|shifted|unequal|clustered"},
+                               {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 static int init(Scene *s, char why[128])
 {
@@ -27,22 +30,25 @@ static int init(Scene *s, char why[128])
     return 0;
 }
 
-/* Two particles in every cell, at `at` of its width, with the given shares of its mass. */
+/* Two particles in every cell, at `at` of its width, with the given shares of its mass: in every
+ * second cell as asked for, centred in the others. What repeats in every cell is exact for tents,
+ * however odd: a particle at a of the cell gives the nodes beside it a (a - 1) + (1 - a) a = 0. */
 static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
 {
     static const struct {
         double at[2], share[2];
     } cell[] = {[CENTRED] = {{0.25, 0.75}, {0.5, 0.5}},
                 [SHIFTED] = {{0.10, 0.60}, {0.5, 0.5}},
-                [UNEQUAL] = {{0.25, 0.75}, {0.75, 0.25}},
-                [CLUSTERED] = {{0.60, 0.85}, {0.5, 0.5}}};
+                [UNEQUAL] = {{0.40, 0.90}, {0.8, 0.2}},
+                [CLUSTERED] = {{0.75, 0.95}, {0.5, 0.5}}};
     const int kind = (int)s->par[ARRANGEMENT];
     (void)spacing;
     if (kind == EVEN || fitted) return false;
     const int cells = (int)lround(1 / s->cell);
     for (int k = 0; k < 2 * cells; k++) {
-        Vec X = {(k / 2 + cell[kind].at[k % 2]) * s->cell};
-        layout_add(out, X, cell[kind].share[k % 2] * s->cell, NULL);
+        const int c = k / 2 % 2 ? kind : CENTRED;
+        Vec X = {(k / 2 + cell[c].at[k % 2]) * s->cell};
+        layout_add(out, X, cell[c].share[k % 2] * s->cell, NULL);
     }
     return true;
 }

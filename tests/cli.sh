@@ -145,43 +145,48 @@ run study $study --out b
 ok "resumes from a torn journal" cmp -s <(untimed a/$study.csv) <(untimed b/$study.csv)
 ok "and doubles no row" test "$(cut -f1 b/$study.rows | cut -c19- | sort | uniq -d | wc -l)" -eq 0
 
-killed=0
-for delay in .005 .01 .015 .02 .03 .04; do
-    "$program" study $study --out c --jobs 2 >/dev/null 2>&1 &
-    sleep $delay
-    kill -KILL $! && killed=1
-    wait $! 2>/dev/null
-    rows=$(lines c/$study.rows 2>/dev/null || echo 0)
-    [ "$rows" -gt 0 ] && [ "$rows" -lt $(($(lines a/$study.csv) - 1)) ] && break
-    rm -rf c
-done 2>/dev/null
+# stopped SIGNAL FOLDER: starts the study and sends it the signal once it has rows.
+stopped() {
+    "$program" study $study --out "$2" --jobs 2 >/dev/null 2>err &
+    for ((k = 0; k < 100000; k++)); do [ -s "$2/$study.rows" ] && break; done
+    kill "-$1" $!
+    wait $!
+    status=$?
+} 2>/dev/null
+all=$(($(lines a/$study.csv) - 1))
+
+stopped KILL c
+ok "killed by SIGKILL: status $status" test "$status" -eq 137
+ok "half way, at $(lines c/$study.rows) rows" test "$(lines c/$study.rows)" -lt "$all"
 run study $study --out c
-ok "resumes after SIGKILL ($killed, $rows rows)" cmp -s <(untimed a/$study.csv) <(untimed c/$study.csv)
-ok "and kept its rows" test "$(lines c/$study.rows)" -eq $(($(lines a/$study.csv) - 1))
+ok "resumes after SIGKILL" cmp -s <(untimed a/$study.csv) <(untimed c/$study.csv)
+ok "and kept its rows" test "$(lines c/$study.rows)" -eq "$all"
+
+for signal in INT TERM; do
+    stopped $signal $signal
+    ok "SIG$signal: status $status, $(cat err)" test "$status" -eq 130 -a "$(lines err)" -eq 1
+    ok "SIG$signal makes no table" test ! -e $signal/$study.csv
+    run study $study --out $signal
+    ok "SIG$signal keeps the rows" test "$(lines $signal/$study.rows)" -eq "$all"
+done
 
 "$program" study $study --out d >/dev/null 2>&1 &
 run study $study --out d
 wait
 ok "two at once" cmp -s <(untimed a/$study.csv) <(untimed d/$study.csv)
-ok "two at once double no row" test "$(lines d/$study.rows)" -eq $(($(lines d/$study.csv) - 1))
-
-"$program" study $study --out i >/dev/null 2>err &
-sleep .01
-kill -TERM $! 2>/dev/null
-wait $!
-ok "interrupted: 130, or done before" test $? -eq 130 -o -s i/$study.csv
+ok "two at once double no row" test "$(lines d/$study.rows)" -eq "$all"
 
 run study $study --out e --method mpm
 ok "one method only" test "$(cut -d, -f2 e/$study.csv | sort -u | tr '\n' ' ')" = "method mpm "
 run claims --out e
 ok "and no verdict on it" grep -q '^NOT_RUN' out
 run study $study --out f --list
-ok "list: a command a case" test "$(lines out)" -eq $(($(lines a/$study.csv) - 1))
+ok "list: a command a case" test "$(lines out)" -eq "$all"
 head -n 3 out >three
 ok "commands run as they are" bash -c 'bash ./three >/dev/null'
 run study $study --out f --collect
 ok "collect" cmp -s <(untimed a/$study.csv) <(untimed f/$study.csv)
-ok "collect ran only the rest" test "$(lines f/$study.rows)" -eq $(($(lines a/$study.csv) - 1))
+ok "collect ran only the rest" test "$(lines f/$study.rows)" -eq "$all"
 
 # Paths and machines that are not as they should be
 run study $study --quick --out "a folder's \$HOME; x"

@@ -14,4 +14,12 @@ static inline Fem *make(const Scene *s, int cells, int threads)
     return f;
 }
 
+static inline double kinetic(const Fem *f)
+{
+    double sum = 0;
+    for (int d = 0; d < DIM; d++)
+        for (int i = 0; i < f->nodes; i++) sum += 0.5 * f->m[i] * f->v[d][i] * f->v[d][i];
+    return sum;
+}
+
 #endif

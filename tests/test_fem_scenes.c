@@ -97,14 +97,6 @@ static void test_static_limit(void)
     CHECK_CLOSE(log2(coarse / fine), 2, 0.1);
 }
 
-static double kinetic(const Fem *f)
-{
-    double sum = 0;
-    for (int d = 0; d < DIM; d++)
-        for (int i = 0; i < f->nodes; i++) sum += 0.5 * f->m[i] * f->v[d][i] * f->v[d][i];
-    return sum;
-}
-
 /* A disk against a frictionless floor: no node below it, no sticking, all momentum from the floor,
  * and almost all energy back. */
 static void test_impact(void)

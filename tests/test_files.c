@@ -1,4 +1,5 @@
 /* test_files.c: what is on disk: tables, whole files, journals with torn and damaged records. */
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -98,6 +99,25 @@ static void test_file_commit(void)
     unlink(path);
     CU_ASSERT_PTR_NULL(file_begin("/nowhere/at/all", &f));
     CU_ASSERT(f.code == FAULT_MACHINE && strstr(f.text, "/nowhere/at/all"));
+}
+
+/* Never renamed over: as root that would take /dev/null away. */
+static void test_file_special(void)
+{
+    const char *path = scratch("pipe");
+    char text[8] = "";
+    struct stat s;
+    CU_ASSERT_FATAL(mkfifo(path, 0666) == 0);
+    int reader = open(path, O_RDONLY | O_NONBLOCK);
+    FILE *out = file_begin(path, NULL);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(out);
+    fputs("whole", out);
+    CU_ASSERT(file_commit(out, path, NULL) == 0);
+    CU_ASSERT(stat(path, &s) == 0 && S_ISFIFO(s.st_mode));
+    CU_ASSERT(read(reader, text, sizeof text) == 5);
+    CHECK_TEXT(text, "whole");
+    close(reader);
+    unlink(path);
 }
 
 static void test_order_fit(void)
@@ -211,6 +231,7 @@ const TestCase files_tests[] = {
     {"CSV round trip", test_csv_round_trip},
     {"CSV damaged", test_csv_damaged},
     {"files appear whole", test_file_commit},
+    {"devices and pipes are written directly", test_file_special},
     {"order fit", test_order_fit},
     {"rows picked", test_rows_pick},
     {"journal", test_journal},

@@ -1,0 +1,101 @@
+/* gather.c: nodes to particles, and a look at what became of them (passes.h). */
+#include "passes.h"
+#include "scheme.h"
+
+/* Extremes of one block of particles, kept per lane so that the loops vectorize. */
+typedef struct Extremes {
+    Field move, half, bad;
+} Extremes;
+
+/* The moved distance, half widths and faults of a chunk after its update. */
+static void inspect_chunk(const Sim *sim, const Chunk *c, const Work *w, Extremes *e)
+{
+    const Grid *g = &sim->g;
+    const Scene *scene = sim->setup->scene;
+    for (int d = 0; d < DIM; d++) {
+        const double lo = scene->lo[d] - sim->dx, hi = scene->hi[d] + sim->dx;
+        const double *x = c->x[d], *F = c->F[d * (DIM + 1)];
+        for (int p = 0; p < CHUNK; p++) {
+            const double move = fabs(x[p] * g->cells - g->origin[d] - w->x[d][p]);
+            const double half = sim->half * fabs(F[p]);
+            e->move[p] = move > e->move[p] ? move : e->move[p];
+            e->half[p] = half > e->half[p] ? half : e->half[p];
+            e->bad[p] += !(x[p] >= lo && x[p] <= hi);
+        }
+    }
+    for (int p = 0; p < CHUNK; p++) {
+        Mat F;
+        for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
+        e->bad[p] += !(determinant(F) > 0);
+    }
+}
+
+static inline __attribute__((always_inline)) void gather_line(const Grid *g, Work *w, int width,
+                                                              const int table)
+{
+    if (width == 2)
+        gather(g, w, 2, table);
+    else if (width == 3)
+        gather(g, w, 3, table);
+    else
+        gather(g, w, width, table);
+}
+
+static void gather_moments(const Sim *sim, Work *w, int width)
+{
+    make_moments(w, width);
+    gather_line(&sim->g, w, width, T_R);
+    unpack_sums(w, LANES, sim->dx);
+    spread(sim, w, width);
+}
+
+static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Extremes *e)
+{
+    const Method *method = &sim->method;
+    const Chunk c = sim_chunk(sim, k);
+    const int width = make_stencils(sim, &c, w);
+    gather_line(&sim->g, w, width, T_G);
+    unpack_sums(w, 0, sim->g.cells);
+    if (method->moments) gather_moments(sim, w, width);
+    method->update(&c, (const Field *)w->sums, dt, take);
+    if (take & (TAKE_X | TAKE_F | MOVE_STASH)) inspect_chunk(sim, &c, w, e);
+}
+
+void gather_velocity(Sim *sim)
+{
+    const int chunks = sim->p.n / CHUNK;
+#pragma omp parallel num_threads(sim->setup->threads)
+    {
+        Work w;
+#pragma omp for schedule(static)
+        for (int k = 0; k < chunks; k++) {
+            const Chunk c = sim_chunk(sim, k);
+            gather_line(&sim->g, &w, make_stencils(sim, &c, &w), T_G);
+            for (int p = 0; p < CHUNK; p++)
+                for (int a = 0; a < DIM; a++) c.u[a][p] = w.A[p][a];
+        }
+    }
+}
+
+/* Gathers everywhere; keeps the extremes of the run's state. Returns whether anything went wrong.
+ */
+bool gather_all(Sim *sim, double dt, unsigned take)
+{
+    double move = 0, half = 0, bad = 0;
+    const int chunks = sim->p.n / CHUNK;
+#pragma omp parallel num_threads(sim->setup->threads) reduction(max : move, half, bad)
+    {
+        Work w;
+        Extremes e = {0};
+#pragma omp for schedule(static)
+        for (int k = 0; k < chunks; k++) gather_chunk(sim, k, dt, take, &w, &e);
+        for (int p = 0; p < CHUNK; p++) {
+            move = fmax(move, e.move[p]);
+            half = fmax(half, e.half[p]);
+            bad = fmax(bad, e.bad[p]);
+        }
+    }
+    sim->travel += move;
+    if (take & TAKE_F) sim->half_now = fmin(half, sim->half_max);
+    return bad > 0;
+}

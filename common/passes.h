@@ -1,0 +1,27 @@
+/* passes.h: what one pass of a time step is made of, each over the whole scene: particles to nodes,
+ * the nodes' own equations, nodes to particles. The bodies are scheme.h's loops; sums do not depend
+ * on the number of threads. */
+#ifndef MPMLAB_PASSES_H
+#define MPMLAB_PASSES_H
+
+#include "sim.h"
+
+/* What is deposited: mass and momentum; these and forces at time t; or mass and m u, a round of a
+ * velocity filter. */
+typedef enum { MOTION, FORCES, ROUND } Deposit;
+
+void deposit_all(Sim *sim, double t, Deposit what);
+
+/* v = p/m, a = f/m times `scale`, walls, v += a dt, symmetry; and the momentum that was given. */
+void solve_all(Sim *sim, double dt, double scale, bool force);
+
+/* Takes TAKE_* to the particles. Returns whether one of them may have gone wrong (sim_check). */
+bool gather_all(Sim *sim, double dt, unsigned take);
+
+/* u = S v of every particle, for a filter's round. */
+void gather_velocity(Sim *sim);
+
+/* Replaces the grid velocity by the method's filter of it; filter.c. */
+void filter_all(Sim *sim, double dt);
+
+#endif

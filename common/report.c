@@ -1,0 +1,71 @@
+/* report.c: a finished run as a row (CONTRACT: columns). */
+#include <math.h>
+#include <string.h>
+#include "loop.h"
+
+static const char *const status_names[] = {"ok",       "left_grid", "inverted",     "nan",
+                                           "singular", "empty",     "energy_growth"};
+
+static void say_status(const Loop *l, Row *row)
+{
+    const bool grew = l->status.code == OK && l->growth_step >= 0;
+    strcpy(row->status, status_names[grew ? ENERGY_GROWTH : l->status.code]);
+    if (grew)
+        snprintf(row->reason, sizeof row->reason, "step %ld t=%.6g energy 5 %% above its start",
+                 l->growth_step, (double)l->growth_step * l->dt);
+    else if (l->status.code == EMPTY)
+        strcpy(row->reason, "no particle lies inside the body");
+    else if (l->status.code != OK)
+        snprintf(row->reason, sizeof row->reason, "step %ld t=%.6g %s %d %s=%.6g", l->done + 1,
+                 l->failed_at, l->plan->setup.method ? "particle" : "element", l->status.point,
+                 l->status.code == INVERTED ? "J" : "x", l->status.value);
+}
+
+static double known(double count)
+{
+    return count >= 0 ? count : NAN;
+}
+
+void report_inputs(const RunSpec *spec, const Plan *plan, Row *row)
+{
+    strcpy(row->problem, spec->problem);
+    strcpy(row->method, spec->method);
+    strcpy(row->integrator, spec->integrator);
+    strcpy(row->layout, plan->setup.fitted ? "radial" : "cartesian");
+    memcpy(row->params, plan->params, sizeof row->params);
+    row->cells = spec->cells;
+    row->h = 1 / spec->cells;
+    row->cfl = spec->cfl > 0 ? spec->cfl : NAN;
+    row->t_end = plan->t_end;
+}
+
+void report_counts(const Loop *l, Row *row)
+{
+    Counts c;
+    l->plan->solver->counts(l->self, &c);
+    row->ppc = c.ppc;
+    row->particles = c.particles;
+    row->surface_particles = c.surface;
+    row->nodes = known((double)c.nodes);
+    row->elements = known(c.elements);
+    row->fallbacks = known((double)c.fallbacks);
+}
+
+void report_results(const Loop *l, Row *row)
+{
+    const Problem *problem = l->plan->scene.problem;
+    row->steps = (double)l->done;
+    if (problem->exact) {
+        row->error_linf = l->worst.linf;
+        row->error_l2 = l->worst.l2;
+        row->error_l1 = l->worst.l1;
+    }
+    row->cpu_s = l->cpu;
+    row->wall_s = l->wall;
+    say_status(l, row);
+    if (problem->projection) return;
+    row->dt = l->dt;
+    row->energy_drift = (l->now - l->start) / l->largest;
+    row->momentum_drift = l->momentum > 0 ? l->drift / l->momentum : NAN;
+    if (l->done > 0) row->ns_per_particle_step = 1e9 * l->cpu / (row->particles * row->steps);
+}

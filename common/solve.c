@@ -1,0 +1,108 @@
+/* solve.c: the nodes' equations of motion (passes.h): W11 eqs 25, 26 with walls. */
+#include "passes.h"
+
+/* Internal force on the real particles' nodes, before symmetry adds the mirrored ones. */
+static void book_forces(Sim *sim, double dt)
+{
+    Grid *g = &sim->g;
+    for (int row = 0; row < g->rows; row++)
+        for (int i = g->lo[row]; i < g->hi[row]; i++) {
+            const Line n = g->node[(size_t)row * (size_t)g->n[0] + (size_t)i];
+            for (int l = FLUX; l < LANES; l++) g->impulse[row][(l - FLUX) % DIM] -= dt * n[l];
+        }
+}
+
+static unsigned row_hold(const Grid *g, int row)
+{
+    unsigned held = 0;
+    for (int d = 1; d < DIM; d++) {
+        held |= g->hold[d][row % g->n[d]];
+        row /= g->n[d];
+    }
+    return held;
+}
+
+/* One node: v = p/m, a = f/m times `scale`, walls, v += a dt; then what a gather reads. Books the
+ * impulse m a dt (less the internal force, which must sum to nothing). */
+static inline void solve_node(Sim *sim, size_t at, unsigned held, double dt, double scale,
+                              double impulse[DIM])
+{
+    Grid *g = &sim->g;
+    const Line in = g->node[at];
+    const double inverse = 1 / in[0];
+    Line out = {0};
+    for (int a = 0; a < DIM; a++) {
+        double f = 0;
+        for (int b = 0; b < DIM; b++) f += in[FLUX + b * DIM + a];
+        if (!sim->g.nmirror) impulse[a] -= dt * scale * f;
+        if (g->force) f += g->force[at * DIM + (size_t)a];
+        const bool hold = held >> a & 1;
+        const double acc = hold ? 0 : f * inverse * scale;
+        const double v = hold ? 0 : in[1 + a] * inverse + acc * dt;
+        impulse[a] += dt * in[1 + DIM] * acc;
+        out[a] = v;
+        out[DIM + a] = acc;
+        for (int b = 0; b < DIM; b++) out[FLUX + b * DIM + a] = v;
+    }
+    g->node[at] = out;
+}
+
+/* A node without mass has no motion; what pulls at it is the wall's if one holds it, else it is
+ * lost. */
+static inline void clear_node(Sim *sim, size_t at, unsigned held, double dt, double impulse[DIM])
+{
+    const Line in = sim->g.node[at];
+    for (int l = FLUX; l < LANES && !sim->g.nmirror; l++)
+        if (held >> (l - FLUX) % DIM & 1) impulse[(l - FLUX) % DIM] -= dt * in[l];
+    sim->g.node[at] = (Line){0};
+}
+
+/* Nodes that are nobody's are set to zero; ghosts of a symmetry line are left to it. */
+static void solve_row(Sim *sim, int row, double dt, double scale)
+{
+    Grid *g = &sim->g;
+    const size_t start = (size_t)row * (size_t)g->n[0];
+    const unsigned held = row_hold(g, row);
+    int lo = g->lo[row], hi = g->hi[row], live = 0;
+    for (int k = 0; k < g->nmirror; k++) {
+        const Mirror *m = &g->mirror[k];
+        if (m->axis == 0 && m->side < 0 && lo < m->at) lo = m->at;
+        if (m->axis == 0 && m->side > 0 && hi > m->at + 1) hi = m->at + 1;
+    }
+    for (int i = lo; i < hi; i++) {
+        const size_t at = start + (size_t)i;
+        const double mass = g->node[at][0];
+        const bool empty = mass <= sim->mass_cut; /* false for NaN, which must spread */
+        if (g->mass) g->mass[at] = empty ? 0 : mass;
+        live += !empty;
+        if (empty)
+            clear_node(sim, at, held | g->hold[0][i], dt * scale, g->impulse[row]);
+        else
+            solve_node(sim, at, held | g->hold[0][i], dt, scale, g->impulse[row]);
+    }
+    g->live[row] = live;
+}
+
+void solve_all(Sim *sim, double dt, double scale, bool force)
+{
+    Grid *g = &sim->g;
+    for (int row = 0; row < g->rows; row++)
+        for (int a = 0; a < DIM; a++) g->impulse[row][a] = 0;
+    if (g->nmirror) {
+        if (force) book_forces(sim, dt * scale);
+        grid_fold(sim);
+    }
+    if (sim->method.repair) sim->method.repair(sim);
+#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
+    for (int row = 0; row < g->rows; row++)
+        if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0))
+            solve_row(sim, row, dt, scale);
+    if (g->nmirror) grid_unfold(sim, dt);
+    if (sim->method.wall_images) grid_wall_images(sim);
+    long live = 0;
+    for (int row = 0; row < g->rows; row++) {
+        if (g->lo[row] < g->hi[row]) live += g->live[row];
+        for (int a = 0; a < DIM; a++) sim->impulse[a] += g->impulse[row][a];
+    }
+    if (live > sim->nodes) sim->nodes = live;
+}

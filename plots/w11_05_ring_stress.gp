@@ -1,0 +1,35 @@
+# Radial and hoop stress on the particles of the oscillating ring at three times.
+load plots.'/style.gp'
+set palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', 5 '#27ad81', 6 '#5cc863', \
+                     7 '#aadc32', 8 '#fde725')
+set multiplot layout 2,3 margins 0.09,0.845,0.11,0.94 spacing 0.03,0.09
+set size ratio -1
+set xrange [0:1.25]
+set yrange [0:1.25]
+set xtics 0.5
+set ytics 0.5
+set grid noxtics noytics
+unset key
+unset colorbox
+set cbrange [-3000:3000]
+rr(x, y, xx, yy, xy) = (xx * x**2 + 2 * xy * x * y + yy * y**2) / (x**2 + y**2)
+tt(x, y, xx, yy, xy) = (xx * y**2 - 2 * xy * x * y + yy * x**2) / (x**2 + y**2)
+do for [row = 0:1] {
+    do for [k = 1:3] {
+        ms = word('0 5 10', k)
+        set label 1 heading((row ? 'hoop' : 'radial').', t = '.ms.' ms') at graph 0, graph 1.06
+        set format y k == 1 ? '%g' : ''
+        set format x row ? '%g' : ''
+        set xlabel row ? 'x [m]' : ''
+        set ylabel (k == 1 ? 'y [m]' : '') offset 1
+        if (row == 1 && k == 3) {
+            set colorbox user origin 0.865, 0.11 size 0.02, 0.83
+            set cblabel 'Cauchy stress [Pa]' offset 0.5
+        }
+        plot dir.'/w11_05_'.ms.'ms.csv' using 'x':'y':(row == 0 \
+            ? rr(column('x'), column('y'), column('sxx'), column('syy'), column('sxy')) \
+            : tt(column('x'), column('y'), column('sxx'), column('syy'), column('sxy'))) \
+            with points pt 7 ps 0.3 palette
+    }
+}
+unset multiplot

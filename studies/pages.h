@@ -1,0 +1,50 @@
+/* pages.h: what several study pages share: curves and numbers out of a table, the squeeze's cases.
+ *
+ * `where` is a format that gives "column=value column=value ...": rows must meet all of them. */
+#ifndef MPMLAB_PAGES_H
+#define MPMLAB_PAGES_H
+
+#include "study.h"
+
+enum { CURVE_MAX = 1024 };
+
+typedef struct Curve {
+    int n;
+    double x[CURVE_MAX], y[CURVE_MAX];
+} Curve;
+
+/* Column y against column x, in the table's order. */
+void curve_pick(Curve *c, const Table *rows, const char *x, const char *y, const char *where, ...)
+    __attribute__((format(printf, 5, 6)));
+
+double curve_at(const Curve *c, double x); /* y at just this x; NAN if it is not there */
+double curve_max(const Curve *c);          /* largest y; NAN if there is none or one is NAN */
+
+/* The least x of the curve from which on every y is at most level; NAN if the last is above it. */
+double curve_settles(const Curve *c, double level);
+
+/* Largest |y/printed - 1| over the points {x, printed, weight}, each times its weight. */
+double curve_deviation(const Curve *c, int n, const double printed[][3]);
+
+/* The first such row's number in column `want`; NAN if there is none. */
+double value_pick(const Table *rows, const char *want, const char *where, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Median of y[n] (GSL); sorts y. NAN of nothing. */
+double median(int n, double y[]);
+
+/* Did the run of this row end before its time? Energy growth alone does not end one. */
+bool is_lost(const Table *rows, int row);
+
+/* Opens dir/NAME.PART.csv, which a run or tables() left there. NULL and a fault if it cannot. */
+Table *part_read(const char *dir, const char *name, const char *part, Fault *fault);
+
+/* dir/NAME.PART.csv, or dir/NAME.csv if part is NULL. */
+enum { PATH_TEXT = 4096 };
+void part_path(char path[PATH_TEXT], const char *dir, const char *name, const char *part);
+
+/* The squeeze from 0.5 to 10 particles per cell, `step` particles apart (quick: 25 times that). */
+void squeeze_add(Cases *list, const char *method, const char *field, int cells, int step,
+                 bool quick);
+
+#endif

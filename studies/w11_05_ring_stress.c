@@ -1,0 +1,53 @@
+/* w11_05_ring_stress.c: radial and hoop stress of the oscillating ring at 0, 5 and 10 ms.
+ * Wallstedt and Guilkey (2011), fig. 5. At rest at t = 0 the ring is stretched outwards by A, at 5
+ * ms it passes through its natural shape, at 10 ms it is drawn in. */
+#include <math.h>
+#include "study.h"
+
+/* At t = 0 the run takes one step of 1 ns, so that the state is the initial one. */
+static const char *const time_ms[] = {"0", "5", "10"}, *const t_end[] = {"1e-9", "0.005", "0.01"};
+
+static void cases(Cases *list, bool quick)
+{
+    for (int k = 0; k < 3; k++) {
+        char file[64];
+        snprintf(file, sizeof file, "w11_05_%sms.csv", time_ms[k]);
+        case_add_with(list, "particles", file, "run ring --cells %d --set layout=radial --t-end %s",
+                      quick ? 8 : 32, t_end[k]);
+    }
+}
+
+/* The largest stress of one file, over all components, in its absolute value. */
+static double largest(const char *dir, const char *ms)
+{
+    char path[512];
+    Fault fault;
+    double most = 0;
+    snprintf(path, sizeof path,
+             "%.400s/w11_05_%s"
+             "ms.csv",
+             dir, ms);
+    Table *t = table_read(path, &fault);
+    for (int k = 0; t && k < t->nrow; k++)
+        most = fmax(most, fmax(fabs(table_number(t, k, "sxx")), fabs(table_number(t, k, "syy"))));
+    if (!t) most = NAN;
+    table_free(t);
+    return most;
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    (void)rows;
+    claim(c, "W11-5.rest",
+          "at 5 ms the ring passes through its stress-free shape: largest stress there "
+          "against that at 0 ms",
+          largest(dir, "5") / largest(dir, "0"), 0, 0.1);
+}
+
+const Study study_w11_05_ring_stress = {
+    .name = "w11_05_ring_stress",
+    .figure = "W11-5",
+    .about = "ring: radial and hoop stress at 0, 5 and 10 ms",
+    .cases = cases,
+    .check = check,
+};
