@@ -79,7 +79,7 @@ CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
 UNIT_TESTS  = $(BUILD)/tests/tools $(DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem $(BUILD)/tests/wls
 CORE_TESTS  = main_dim test_contract
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
-WLS_TESTS   = test_wls test_wls_runs
+WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_axis_mms
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 
 $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile

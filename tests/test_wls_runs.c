@@ -93,12 +93,13 @@ static void test_threads(void)
 
 /* One step of a stress-free block in the affine motion v = c + L x: the largest |F - I - dt L| over
  * dt |L|, and the share of particles that miss it by more than a thousandth. */
-static void patch(const char *method, int cells, const char *set, double *worst, double *share)
+static void patch(const char *problem, const char *method, int cells, const char *set,
+                  double *worst, double *share)
 {
     static const double L[] = {0.7, -1.3, 0.4, 0.9}, c[] = {0.3, -0.2};
     Trial t;
     int missed = 0;
-    trial_open(&t, "free_block", method, cells, set, 1);
+    trial_open(&t, problem, method, cells, set, 1);
     Particles *p = &t.sim->p;
     for (int k = 0; k < p->n; k++)
         for (int a = 0; a < DIM; a++) {
@@ -128,15 +129,17 @@ static void patch(const char *method, int cells, const char *set, double *worst,
 static void test_patch(void)
 {
     double worst, share;
+    const char *ring = "sector=full,A=0,offset_x=.3,offset_y=.1";
     for (const Method *const *m = methods; *m; m++)
         for (int cells = 20; cells <= 47; cells += 9) {
-            patch((*m)->info.name, cells, NULL, &worst, &share);
-            printf("%s %d %g %g\n", (*m)->info.name, cells, worst, share);
+            patch("free_block", (*m)->info.name, cells, NULL, &worst, &share);
+            if ((*m)->linear_exact) CU_ASSERT(worst < 1e-10);
+            patch("ring", (*m)->info.name, cells, ring, &worst, &share);
             if ((*m)->linear_exact) CU_ASSERT(worst < 1e-10);
         }
-    patch("wls", 29, NULL, &worst, &share);
+    patch("ring", "wls", 29, ring, &worst, &share);
     CU_ASSERT(worst > 0.3 && worst < 1.5 && share < 0.05);
-    patch("wls2", 29, "return=spline", &worst, &share);
+    patch("free_block", "wls2", 29, "return=spline", &worst, &share);
     CU_ASSERT(worst < 1e-10);
 }
 
@@ -154,7 +157,10 @@ const TestCase wls_run_tests[] = {
 
 int main(void)
 {
-    const TestSuite suites[] = {
-        {"wls pieces", wls_tests}, {"wls runs", wls_run_tests}, {NULL, NULL}};
+    const TestSuite suites[] = {{"wls pieces", wls_tests},
+                                {"wls hard spots", wls_hard_tests},
+                                {"axis_mms", axis_tests},
+                                {"wls runs", wls_run_tests},
+                                {NULL, NULL}};
     return check_run(suites);
 }
