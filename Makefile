@@ -76,13 +76,15 @@ figures:
 
 # The tests write below build/ only; CUnit's summary comes last.
 CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
-UNIT_TESTS  = $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem
+UNIT_TESTS  = $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem \
+              $(BUILD)/tests/wls
 CORE_DIMS   = 1 2 3
 CORE_3      = main_3d rig twin twin_make $(patsubst %,test_%,twin shapes material exact)
 CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
               $(patsubst %,test_%,invariants order dynamics spots rules status)
 CORE_2      = $(CORE_1)
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
+WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_axis_mms
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 
 $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
@@ -100,7 +102,9 @@ $(BUILD)/tests/core_$(1)d: $(CORE_$(1):%=$(BUILD)/d$(1)/tests/%.o) $(BUILD)/test
 endef
 $(foreach d,$(CORE_DIMS),$(eval $(call dimension_tests,$(d))))
 
-$(BUILD)/tests/fem: $(FEM_TESTS:%=$(BUILD)/d2/tests/%.o) $(BUILD)/tests/check.o \
+$(BUILD)/tests/fem: $(FEM_TESTS:%=$(BUILD)/d2/tests/%.o)
+$(BUILD)/tests/wls: $(WLS_TESTS:%=$(BUILD)/d2/tests/%.o)
+$(BUILD)/tests/fem $(BUILD)/tests/wls: $(BUILD)/tests/check.o \
   $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 

@@ -53,7 +53,7 @@ static void close_sum(Line *node, Line *keep, double c, double dt)
 
 void filter_all(Sim *sim, double dt)
 {
-    const Method *method = sim->setup->method;
+    const Method *method = &sim->method;
     const double after = method->filter_first ? dt : 0;
     double c[MAX_ROUNDS + 1] = {1};
     const int rounds = method->filter(sim->setup->method_par, c);
