@@ -18,6 +18,11 @@ struct Layout {
 void layout_add(Layout *out, const Vec X, double volume, const double *normal);
 void layout_free(Layout *out);
 
+/* Adds points at mid angles of the arc of radius R about the scene's body [m], at most `spacing`
+ * apart; each has its share of a ring of thickness dr. dr = 0: surface points whose normals point
+ * outwards (side 1) or inwards (-1). */
+void layout_add_arc(Layout *out, const Scene *scene, double R, double dr, double spacing, int side);
+
 /* Fills an empty layout for spacing s = 1/(cells n): 1D `count` points evenly over the body, else
  * the lattice (i + 1/2) s from the origin whose points lie inside, volume s^DIM; or the scene's
  * own. */

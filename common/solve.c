@@ -22,6 +22,28 @@ static unsigned row_hold(const Grid *g, int row)
     return held;
 }
 
+/* Unilateral walls: which components they hold at node i of a row. A wall holds while the free
+ * momentum p + f dt is directed into it; a body that would be pulled back leaves. */
+static unsigned stops_hold(const Grid *g, int row, int i, double dt)
+{
+    const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
+    const Line n = g->node[at];
+    unsigned held = 0;
+    for (int k = 0; k < g->nstop; k++) {
+        const Stop *s = &g->stop[k];
+        int index = i, rest = row;
+        for (int d = 1; d <= s->axis; d++) {
+            index = rest % g->n[d];
+            rest /= g->n[d];
+        }
+        if (s->side * (index - s->at) < 0) continue;
+        double f = g->force ? g->force[at * DIM + (size_t)s->axis] : 0;
+        for (int b = 0; b < DIM; b++) f += n[FLUX + b * DIM + s->axis];
+        if (s->side * (n[1 + s->axis] + f * dt) > 0) held |= s->hold;
+    }
+    return held;
+}
+
 /* One node: v = p/m, a = f/m times `scale`, walls, v += a dt; then what a gather reads. Books the
  * impulse m a dt (less the internal force, which must sum to nothing). */
 static inline void solve_node(Sim *sim, size_t at, unsigned held, double dt, double scale,
@@ -73,12 +95,14 @@ static void solve_row(Sim *sim, int row, double dt, double scale)
         const size_t at = start + (size_t)i;
         const double mass = g->node[at][0];
         const bool empty = mass <= sim->mass_cut; /* false for NaN, which must spread */
+        const unsigned stops = g->nstop ? stops_hold(g, row, i, dt * scale) : 0;
+        const unsigned own = held | g->hold[0][i] | stops;
         if (g->mass) g->mass[at] = empty ? 0 : mass;
         live += !empty;
         if (empty)
-            clear_node(sim, at, held | g->hold[0][i], dt * scale, g->impulse[row]);
+            clear_node(sim, at, own, dt * scale, g->impulse[row]);
         else
-            solve_node(sim, at, held | g->hold[0][i], dt, scale, g->impulse[row]);
+            solve_node(sim, at, own, dt, scale, g->impulse[row]);
     }
     g->live[row] = live;
 }
