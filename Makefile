@@ -69,13 +69,16 @@ $(BUILD)/d$(1)/engine.o: $(call objects,$(1))
 endef
 $(foreach d,1 2 3,$(eval $(call dimension,$(d))))
 
-figures: all
+figures:
+	@$(MAKE) --no-print-directory -j$(JOBS) all
 	$(BUILD)/mpmlab study all --jobs $(JOBS)
 	$(BUILD)/mpmlab claims
 
 # The tests write below build/ only; CUnit's summary comes last.
 CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
-UNIT_TESTS  = $(BUILD)/tests/tools
+UNIT_TESTS  = $(BUILD)/tests/tools $(DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem
+CORE_TESTS  = main_dim test_contract
+FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 
 $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
@@ -85,9 +88,31 @@ $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
 $(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files test_study check) $(TEST_OBJECTS)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 
-test: all $(UNIT_TESTS)
+# Tests of one dimension see its objects before their names are hidden.
+define dimension_tests
+$(BUILD)/tests/core_$(1)d: $(CORE_TESTS:%=$(BUILD)/d$(1)/tests/%.o) $(BUILD)/tests/check.o \
+  $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,$(1))
+	$(CC) $(CFLAGS) -o $$@ $$^ $(LDLIBS) -lcunit
+endef
+$(foreach d,$(DIMS),$(eval $(call dimension_tests,$(d))))
+
+$(BUILD)/tests/fem: $(FEM_TESTS:%=$(BUILD)/d2/tests/%.o) $(BUILD)/tests/check.o \
+  $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
+	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
+
+test:
+	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(CLI_TEST)
 	@for t in $(UNIT_TESTS); do (cd $(BUILD)/tests && $(CURDIR)/$$t) || exit 1; done
+
+# Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
+bench: all $(BUILD)/tests/bench
+	@$(MAKE) -s BUILD=$(BUILD)/avx2 ARCH=-march=x86-64-v3 all
+	BUILD=$(BUILD) bash tests/bench.sh
+
+$(BUILD)/tests/bench: $(BUILD)/d2/tests/bench.o $(BUILD)/d2/tests/twin.o \
+  $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
+	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
 lint:
 	BUILD=$(BUILD)/lint bash tests/lint.sh
