@@ -57,8 +57,15 @@ static double larger(double a, double b)
     return a >= b || isnan(b) ? a : b;
 }
 
+/* What the mean of two kinetic energies has beyond that of the mean velocity, at least: all there is
+ * in the first steps of a body that starts at rest, so that it must not count as growth. */
+static double beyond_mean(double before, double after)
+{
+    return 0.25 * pow(sqrt(after) - sqrt(before), 2);
+}
+
 /* Books the instant t_k: energies centred in time, work by the trapezoidal rule. */
-static void book_energy(Loop *l, Moment *m, double power)
+static void book_energy(Loop *l, Moment *m, double power, double beyond)
 {
     if (m->t > 0) l->work += 0.5 * l->dt * (l->power + power);
     l->power = power;
@@ -67,7 +74,7 @@ static void book_energy(Loop *l, Moment *m, double power)
     l->now = stored - l->work;
     if (!(m->t > 0)) l->start = l->now;
     l->largest = larger(l->largest, stored);
-    if (l->growth_step < 0 && l->done > 0 && l->now - l->start > 0.05 * l->largest)
+    if (l->growth_step < 0 && l->done > 0 && l->now - beyond - l->start > 0.05 * l->largest)
         l->growth_step = l->done;
     if (l->history) history_line(l->history, m);
 }
@@ -122,7 +129,8 @@ static void run_steps(Loop *l)
         m.t = t;
         m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
         for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
-        book_energy(l, &m, (1 - w) * power_before + w * after.power);
+        book_energy(l, &m, (1 - w) * power_before + w * after.power,
+                    beyond_mean(before.kinetic, after.kinetic));
         book_momentum(l, &after);
         const Errors e = errors_now(l, t + l->dt);
         book_errors(l, e);
@@ -145,9 +153,10 @@ static void last_instant(Loop *l)
         l->done > 0 ? l->plan->solver->step(l->self, t, l->dt, false) : (Status){EMPTY, -1, 0};
     const double w = status.code == OK ? 0.5 : 0;
     const Side after = look(l, t);
+    const double beyond = beyond_mean(m.kinetic, after.kinetic);
     m.kinetic = (1 - w) * m.kinetic + w * after.kinetic;
     for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * m.momentum[d] + w * after.p[d];
-    book_energy(l, &m, (1 - w) * before + w * after.power);
+    book_energy(l, &m, (1 - w) * before + w * after.power, beyond);
 }
 
 static void choose_dt(Loop *l)
