@@ -18,7 +18,7 @@ LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
 
 comma  = ,
 paren  = (
-FREE   = $(patsubst %,common/%.c,fault file info row spec table) \
+FREE   = $(patsubst %,common/%.c,fault file info row spec table vtk_file) \
          $(wildcard studies/*.c)
 DIMMED = $(filter-out $(FREE), $(wildcard common/*.c)) $(wildcard methods/*.c)
 problem_sources = $(shell sed -n 's/^PROBLEM$(paren)\([a-z_0-9]*\), $(1).*/problems\/\1.c/p' problems/problems.def)
@@ -127,7 +127,8 @@ deps:
 	  libcunit1-dev gnuplot-nox fonts-dejavu-core
 
 deps-extra:
-	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind libclang-rt-14-dev libomp-14-dev
+	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind libclang-rt-14-dev libomp-14-dev \
+	  python3-vtk9 python3-numpy
 
 clean:
 	rm -rf $(BUILD)

@@ -20,6 +20,10 @@ void history_line(FILE *out, const Moment *m);
 int write_particles(const char *path, const Scene *scene, const Solver *solver, const void *self,
                     Fault *fault);
 
+/* All elements of a mesh, the same columns: positions and velocities are means of the corners. */
+int write_elements(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                   Fault *fault);
+
 /* Live nodes with their velocities: id,x,y,mass,vx,vy. */
 int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault);
 

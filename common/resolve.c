@@ -255,12 +255,15 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
         read_params(spec, plan->method->params, plan->method_par, fault) ||
         make_scene(spec, plan, fault) || choose_integrator(spec, plan, run, fault))
         return FAULT_USAGE;
+    if (spec->elements && !plan->solver->elements)
+        return fault_set(fault, FAULT_USAGE, "--elements: got '%s', takes a method with a mesh (fem)",
+                         spec->elements);
     s->scene = &plan->scene;
     s->method_par = plan->method_par;
     s->cells = (int)spec->cells;
     s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : s->method && s->method->surface;
     s->threads = spec->threads > 0 ? spec->threads : 1;
-    s->snapshot_nodes = plan->scene.problem->projection || spec->nodes;
+    s->snapshot_nodes = plan->scene.problem->projection || spec->nodes || spec->vtk;
     plan->steps = (long)run[P_STEPS];
     plan->stop_growth = run[P_STOP] > 0;
     if (choose_ppc(spec, plan, run, fault) || choose_times(spec, plan, fault) ||

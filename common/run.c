@@ -104,6 +104,13 @@ static void book_errors(Loop *l, Errors e)
     l->worst.l1 = larger(l->worst.l1, e.l1);
 }
 
+static void shoot(Loop *l, long step, bool last)
+{
+    if (l->shots.dir && !l->code)
+        l->code = snapshot_take(&l->shots, &l->plan->scene, l->plan->solver, l->self, step,
+                                (double)step * l->dt, last, l->fault);
+}
+
 static bool grown(const Loop *l)
 {
     return l->plan->stop_growth && l->growth_step >= 0;
@@ -116,7 +123,8 @@ static void run_steps(Loop *l)
     memcpy(l->p0, before.p, sizeof l->p0);
     l->momentum = before.mv;
     Moment m = {.dt = l->dt, .strain = strain_now(l), .error_linf = errors_now(l, 0).linf};
-    for (; l->done < l->n && !grown(l); l->done++) {
+    shoot(l, 0, false);
+    for (; l->done < l->n && !grown(l) && !l->code; l->done++) {
         const double t = (double)l->done * l->dt;
         const double power_before = look(l, t).power;
         take_step(l, t);
@@ -137,6 +145,7 @@ static void run_steps(Loop *l)
         m.error_linf = e.linf;
         m.strain = strain_now(l);
         before = after;
+        shoot(l, l->done + 1, false);
     }
     m.t = (double)l->done * l->dt; /* the last instant waits for last_instant */
     m.kinetic = before.kinetic;
@@ -194,6 +203,8 @@ static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
     int code = 0;
     if (spec->particles)
         code = write_particles(spec->particles, &l->plan->scene, solver, l->self, fault);
+    if (!code && spec->elements)
+        code = write_elements(spec->elements, &l->plan->scene, solver, l->self, fault);
     if (!code && spec->nodes) code = write_nodes(spec->nodes, solver, l->self, fault);
     return code;
 }
@@ -217,7 +228,9 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
         choose_dt(l);
         if (!fit_scratch(l)) return fault_set(fault, FAULT_MACHINE, "out of memory");
         run_steps(l);
+        shoot(l, l->done + (l->status.code != OK), true);
     }
+    if (!code) code = l->code;
     if (!code) code = write_files(spec, l, fault);
     if (code) return code;
     report_counts(l, row);
@@ -234,6 +247,8 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     int code = plan_make(&own, &plan, fault);
     if (code) return code;
     *row = row_empty();
+    l.shots = (Snapshots){.dir = own.vtk, .every = own.every};
+    l.fault = fault;
     report_inputs(&own, &plan, row);
     if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
     if (l.history) history_header(l.history);
@@ -241,6 +256,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     code = l.self ? run_plan(&own, &l, row, fault) : fault->code;
     if (l.self) plan.solver->free(l.self);
     scratch_free(&l.scratch);
+    snapshot_free(&l.shots);
     if (l.history && code) file_abandon(l.history, spec->history);
     if (l.history && !code) code = file_commit(l.history, spec->history, fault);
     return code;

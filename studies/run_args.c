@@ -17,8 +17,9 @@ const Option run_options[] = {
     {"history", "FILE", "write energies and errors of every step"},
     {"particles", "FILE", "write the particles at the end"},
     {"nodes", "FILE", "write the grid nodes at the end"},
+    {"elements", "FILE", "write the elements at the end (fem)"},
     {"vtk", "DIR", "write snapshots into DIR"},
-    {"every", "K", "steps between snapshots"},
+    {"every", "K", "steps between snapshots (default: first and last only)"},
     {"quiet", NULL, "no messages"},
     {NULL, NULL, NULL},
 };
@@ -45,6 +46,7 @@ static const struct File {
     {"history", offsetof(RunArgs, spec.history)},
     {"particles", offsetof(RunArgs, spec.particles)},
     {"nodes", offsetof(RunArgs, spec.nodes)},
+    {"elements", offsetof(RunArgs, spec.elements)},
     {"vtk", offsetof(RunArgs, spec.vtk)},
     {"csv", offsetof(RunArgs, csv)},
 };
