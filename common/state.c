@@ -36,8 +36,8 @@ static double von_mises(const double s[9])
 {
     const double a = s[0] - s[4], b = s[4] - s[8], c = s[8] - s[0];
     if (DIM == 1) return fabs(s[0]);
-    return sqrt(0.5 * (a * a + b * b + c * c) +
-                3 * (s[1] * s[1] + s[2] * s[2] * (DIM > 2) + s[5] * s[5] * (DIM > 2)));
+    const double out_of_plane = DIM > 2 ? s[2] * s[2] + s[5] * s[5] : 0;
+    return sqrt(0.5 * (a * a + b * b + c * c) + 3 * s[1] * s[1] + 3 * out_of_plane);
 }
 
 /* F, sigma and what follows from them, for row r. */
