@@ -51,7 +51,7 @@ static void gather_moments(const Sim *sim, Work *w, int width)
 
 static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Extremes *e)
 {
-    const Method *method = sim->setup->method;
+    const Method *method = &sim->method;
     const Chunk c = sim_chunk(sim, k);
     const int width = make_stencils(sim, &c, w);
     gather_line(&sim->g, w, width, T_G);

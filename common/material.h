@@ -45,4 +45,13 @@ static inline double determinant(const Mat F)
     return det;
 }
 
+/* Cofactor (a, b): J F^-T, which turns reference normals into current ones. */
+static inline double cofactor(const Mat F, int a, int b)
+{
+    if (DIM == 1) return 1;
+    if (DIM == 2) return (a == b ? 1 : -1) * F[((1 - a) * DIM + 1 - b) % NMAT];
+    const int i = (a + 1) % DIM, j = (a + 2) % DIM, k = (b + 1) % DIM, l = (b + 2) % DIM;
+    return F[i * DIM + k] * F[j * DIM + l] - F[i * DIM + l] * F[j * DIM + k];
+}
+
 #endif

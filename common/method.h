@@ -39,6 +39,7 @@ enum {
 typedef struct Chunk {
     double *x[DIM], *v[DIM], *F[NMAT], *L[NMAT], *u[DIM];
     const double *X[DIM], *m, *V0;
+    const double *normal[DIM]; /* reference normals of surface points, or NULL */
     const int *id;
 } Chunk;
 
@@ -62,17 +63,21 @@ typedef struct Payload {
     Field B[DIM][DIM]; /* [axis d][component a]: m L_ad of the momentum lanes, if affine */
 } Payload;
 
+struct Sim;
+
 typedef struct Method {
     Info info;
-    unsigned valid;       /* bit per Integrator: published or proven sound */
-    unsigned valid_fresh; /* more of them with refresh=1 */
-    int integrator[4];    /* default by dimension, [0] unused */
-    bool keeps_L;         /* the particle carries its velocity gradient from step to step */
-    bool affine;          /* payload fills B */
-    bool moments;         /* update also reads the moments of v about the particle */
-    bool linear_exact;    /* projects linear fields exactly from any particle set */
-    bool surface;         /* needs surface particles */
-    bool smooth;          /* weights are C1: S ~ eps^2, dS/dx ~ eps at the edge of a support */
+    unsigned valid;          /* bit per Integrator: published or proven sound */
+    unsigned valid_fresh;    /* more of them with refresh=1 */
+    int integrator[4];       /* default by dimension, [0] unused */
+    bool keeps_L;            /* the particle carries its velocity gradient from step to step */
+    bool affine;             /* payload fills B */
+    bool moments;            /* update also reads the moments of v about the particle */
+    bool linear_exact;       /* projects linear fields exactly from any particle set */
+    bool surface;            /* needs surface particles: */
+    double surface_per_cell; /* so many along a cell's length; 0: as dense as particles */
+    bool wall_images;        /* gathers from images of nodes beyond walls, not from held nodes */
+    bool smooth;             /* weights are C1: S ~ eps^2, dS/dx ~ eps at the edge of a support */
 
     /* Nodes per axis for half widths up to b [cells]; at most MAX_WIDTH. */
     int (*width)(double b);
@@ -93,6 +98,20 @@ typedef struct Method {
      * acceleration. */
     int (*filter)(const double *par, double c[]);
     bool filter_first;
+
+    /* Optional, for methods whose nodes do not come from the deposit above (WLS: least squares and
+     * an integral over cells). `assemble` takes the place of the deposit and leaves every node as a
+     * deposit would: lane 0 mass, momentum, spare lanes mass, internal force in the lanes from FLUX
+     * on, body force in Grid.force; on the real side of symmetry lines only. `repair` comes after
+     * symmetry has folded the nodes and before a = f/m. */
+    void (*assemble)(struct Sim *sim, double t, bool force);
+    void (*repair)(struct Sim *sim);
+
+    /* Its workspace Sim.own, once a run (false: out of memory), and how it chooses its stages by
+     * parameter: `adapt` changes the run's own copy of this struct. */
+    bool (*make)(struct Sim *sim);
+    void (*free)(struct Sim *sim);
+    void (*adapt)(const double par[], struct Method *own);
 } Method;
 
 /* NULL-terminated, in registry order; methods/registry.c. */

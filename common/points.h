@@ -28,10 +28,10 @@ typedef struct Nodes {
 } Nodes;
 
 /* A polygon of a solver's mesh, or of a cell of the grid that holds material: whole or cut off. */
-enum { MAX_SIDES = 8 };
+enum { PATCH_SIDES = 8 };
 typedef struct Patch {
     int sides;
-    double corner[MAX_SIDES][DIM]; /* [m] around it */
+    double corner[PATCH_SIDES][DIM]; /* [m] around it */
     bool cut;                      /* by the surface */
     Vec X, x, v;                   /* elements only: means of the corners, in the reference, too */
     Mat F;                         /* elements only */

@@ -65,6 +65,9 @@ typedef struct Problem {
     /* Exact displacement at time t [s], or NULL. A projection gives the velocity field instead. */
     void (*exact)(const Scene *s, int n, ConstFields X, double t, Fields u);
 
+    /* How far x (current, not reference) lies inside the moving body at time t, or NULL. */
+    double (*distance)(const Scene *s, const Vec x, double t);
+
     /* Body force per mass [m/s^2] at reference position X and time t, or NULL. */
     void (*body)(const Scene *s, int n, ConstFields X, double t, Fields b);
 } Problem;

@@ -40,7 +40,7 @@ static inline void half_widths(const Sim *sim, const Chunk *c, int axis, Field b
 /* Fills the stencils of all axes; returns their common width, the least that holds this chunk. */
 static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
 {
-    const Method *method = sim->setup->method;
+    const Method *method = &sim->method;
     double most = 0.5;
     for (int d = 0; d < DIM; d++) {
         half_widths(sim, c, d, w->b[d]);

@@ -14,6 +14,7 @@ static double widest_half(double half)
 
 static bool field_used(const Setup *s, int field)
 {
+    if (field >= AT_N) return s->method->surface;
     if (field >= AT_U) return s->integrator == MUSL || s->method->filter;
     if (field >= AT_L) return s->method->keeps_L || s->refresh;
     return true;
@@ -105,7 +106,7 @@ static void make_grid(Sim *sim)
 {
     Grid *g = &sim->g;
     const Scene *scene = sim->setup->scene;
-    const int ghosts = sim->setup->method->width(sim->half_max) / 2 + 4;
+    const int ghosts = sim->method.width(sim->half_max) / 2 + 4;
     g->rows = 1;
     for (int d = 0; d < DIM; d++) {
         g->origin[d] = (int)floor(scene->lo[d] * g->cells + 1e-9) - ghosts;
@@ -139,10 +140,12 @@ static void fill_particles(Sim *sim, const Layout *layout)
 {
     Particles *p = &sim->p;
     const Scene *scene = sim->setup->scene;
+    const bool surface = sim->method.surface;
     int n = 0;
     for (int k = 0; k < layout->n; k++) {
-        if (!(layout->volume[k] > 0)) continue;
+        if (!surface && !(layout->volume[k] > 0)) continue;
         for (int d = 0; d < DIM; d++) p->field[AT_X0 + d][n] = layout->X[d][k];
+        for (int d = 0; surface && d < DIM; d++) p->field[AT_N + d][n] = layout->normal[d][k];
         p->field[AT_VOL][n] = layout->volume[k];
         p->field[AT_M][n] = layout->volume[k] * scene->mat.rho;
         p->id[n] = n;
@@ -152,8 +155,8 @@ static void fill_particles(Sim *sim, const Layout *layout)
     /* Lighter nodes are empty. A tent's force does not fade with its mass, so that a node of
      * round-off weight must not move; a smooth weight's force goes as the root of its mass, and is
      * kept. */
-    const double least = sim->setup->method->smooth ? 1e-24 : 1e-12;
-    sim->mass_cut = least * scene->mat.rho * body_volume(scene) / n;
+    const double least = sim->method.smooth ? 1e-24 : 1e-12;
+    sim->mass_cut = least * scene->mat.rho * body_volume(scene) / (n - sim->surface);
 }
 
 /* Initial state: x = X + u, and v, F, L as the scene says. */
@@ -198,15 +201,19 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
     sim->half = 0.5 / per_axis;
     sim->half_max = widest_half(sim->half);
     if (check_size(sim, fault)) return -1;
+    layout->dense = sim->method.surface_per_cell / per_axis;
     if (layout_make(layout, s->scene, sim->dx / per_axis, s->count, s->fitted, fault)) return -1;
     for (int k = 0; k < layout->n; k++) {
-        sim->p.count += layout->volume[k] > 0;
-        sim->surface += s->method->surface && !(layout->volume[k] > 0);
+        const bool surface = s->method->surface && !(layout->volume[k] > 0);
+        sim->p.count += surface || layout->volume[k] > 0;
+        sim->surface += surface;
     }
     make_grid(sim);
     if (!grid_alloc(sim) || !particles_alloc(sim))
         return fault_set(fault, FAULT_MACHINE, "out of memory for %d particles", sim->p.count);
     set_walls(sim);
+    if (sim->method.make && !sim->method.make(sim))
+        return fault_set(fault, FAULT_MACHINE, "out of memory");
     fill_particles(sim, layout);
     if (!start_particles(sim)) return fault_set(fault, FAULT_MACHINE, "out of memory");
     sim->half_now = widest_now(sim);
@@ -224,6 +231,8 @@ Sim *sim_new(const Setup *setup, Fault *fault)
     }
     *sim = (Sim){0};
     sim->setup = setup;
+    sim->method = *setup->method;
+    if (sim->method.adapt) sim->method.adapt(setup->method_par, &sim->method);
     const int bad = build(sim, &layout, fault);
     layout_free(&layout);
     if (!bad) return sim;
@@ -236,6 +245,7 @@ void sim_free(Sim *sim)
     if (!sim) return;
     Grid *g = &sim->g;
     Particles *p = &sim->p;
+    if (sim->own) sim->method.free(sim);
     for (int d = 0; d < DIM; d++) free(g->hold[d]);
     free(g->node), free(g->keep), free(g->lo), free(g->hi), free(g->live), free(g->impulse),
         free(g->count);

@@ -116,11 +116,13 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
         if (force) book_forces(sim, dt * scale);
         grid_fold(sim);
     }
+    if (sim->method.repair) sim->method.repair(sim);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0))
             solve_row(sim, row, dt, scale);
     if (g->nmirror) grid_unfold(sim, dt);
+    if (sim->method.wall_images) grid_wall_images(sim);
     long live = 0;
     for (int row = 0; row < g->rows; row++) {
         if (g->lo[row] < g->hi[row]) live += g->live[row];

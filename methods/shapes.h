@@ -29,6 +29,22 @@ static inline void tent_shape(const Axis *axis, int width, const Field x, const 
     }
 }
 
+/* The tent whose points on a wall see the cell within it, not the one beyond. */
+static inline void inner_tent_shape(const Axis *axis, int width, const Field x, const Field b,
+                                    Stencil *out)
+{
+    (void)width, (void)b;
+    const double wall = axis->wall_hi, above = wall + 1e-9;
+    for (int p = 0; p < CHUNK; p++) {
+        double c = floor(x[p]);
+        c = c >= wall && x[p] < above ? wall - 1 : c;
+        double f = x[p] - c;
+        out->base[p] = (int)c;
+        out->table[T_S][0][p] = 1 - f, out->table[T_S][1][p] = f;
+        out->table[T_G][0][p] = -1, out->table[T_G][1][p] = 1;
+    }
+}
+
 /* Nodes |k - r| < 1 + b about the nearest node, |r| <= 1/2. */
 static inline int gimp_width(double b)
 {
@@ -89,6 +105,28 @@ static inline void gimp_shape(const Axis *axis, int width, const Field x, const 
             out->table[T_S][k][p] = q * (tent_integral(r + b[p]) - tent_integral(r - b[p]));
             out->table[T_G][k][p] = q * (tent(r + b[p]) - tent(r - b[p]));
         }
+}
+
+/* Quadratic spline about the nearest node, W11 eq 4: |x - x_i| < 3/2. */
+static inline int spline_width(double b)
+{
+    (void)b;
+    return 3;
+}
+
+static inline void spline_shape(const Axis *axis, int width, const Field x, const Field b,
+                                Stencil *out)
+{
+    (void)axis, (void)width, (void)b;
+    for (int p = 0; p < CHUNK; p++) {
+        double c = floor(x[p] + 0.5), r = x[p] - c;
+        out->base[p] = (int)c - 1;
+        out->table[T_S][0][p] = 0.5 * (0.5 - r) * (0.5 - r);
+        out->table[T_S][1][p] = 0.75 - r * r;
+        out->table[T_S][2][p] = 0.5 * (0.5 + r) * (0.5 + r);
+        out->table[T_G][0][p] = r - 0.5, out->table[T_G][1][p] = -2 * r,
+        out->table[T_G][2][p] = r + 0.5;
+    }
 }
 
 #endif

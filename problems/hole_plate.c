@@ -52,10 +52,10 @@ static void add_lattice(double spacing, Layout *out)
     }
 }
 
-/* The two free sides, and their common corner with the normal between. */
+/* Surface points on the two free sides, and their common corner with the normal between. */
 static void add_sides(double spacing, Layout *out)
 {
-    const int n = (int)ceil(width / spacing - 1e-9);
+    const int n = (int)ceil(width / layout_surface_spacing(out, spacing) - 1e-9);
     for (int d = 0; d < DIM; d++)
         for (int k = 0; k < n; k++) {
             Vec X, normal = {0};
