@@ -32,10 +32,10 @@ enum { PATCH_SIDES = 8 };
 typedef struct Patch {
     int sides;
     double corner[PATCH_SIDES][DIM]; /* [m] around it */
-    bool cut;                      /* by the surface */
-    Vec X, x, v;                   /* elements only: means of the corners, in the reference, too */
-    Mat F;                         /* elements only */
-    double V0;                     /* elements only: [m^DIM] reference volume */
+    bool cut;                        /* by the surface */
+    Vec X, x, v; /* elements only: means of the corners, in the reference, too */
+    Mat F;       /* elements only */
+    double V0;   /* elements only: [m^DIM] reference volume */
 } Patch;
 
 typedef void PatchVisit(void *own, const Patch *patch);

@@ -57,8 +57,8 @@ static double larger(double a, double b)
     return a >= b || isnan(b) ? a : b;
 }
 
-/* What the mean of two kinetic energies has beyond that of the mean velocity, at least: all there is
- * in the first steps of a body that starts at rest, so that it must not count as growth. */
+/* What the mean of two kinetic energies has beyond that of the mean velocity, at least: all there
+ * is in the first steps of a body that starts at rest, so that it must not count as growth. */
 static double beyond_mean(double before, double after)
 {
     return 0.25 * pow(sqrt(after) - sqrt(before), 2);

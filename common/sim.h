@@ -44,7 +44,8 @@ typedef struct Mirror {
     int axis, at, side;
 } Mirror;
 
-/* A wall that holds its nodes (index `at` and beyond, on `side`) only while they push against it. */
+/* A wall that holds its nodes (index `at` and beyond, on `side`) only while they push against it.
+ */
 typedef struct Stop {
     int axis, at, side;
     unsigned hold; /* bit a: component a */

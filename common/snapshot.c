@@ -31,8 +31,8 @@ static bool make_room(Snapshots *s, int kind)
     return step && t;
 }
 
-/* The collection is written again when it has grown by a tenth, so that a run that is stopped leaves
- * a good one and a long run does not spend its time on lists. */
+/* The collection is written again when it has grown by a tenth, so that a run that is stopped
+ * leaves a good one and a long run does not spend its time on lists. */
 static int list_it(Snapshots *s, int kind, bool last, Fault *fault)
 {
     char path[PATH_MAX];
@@ -67,13 +67,11 @@ static int write_points(Snapshots *s, const State *state, long step, double t, F
         {"surface", VTK_U8, 1, state->surface},
         {0},
     };
-    return write_kind(s, SHOT_PARTICLES, step,
-                      &(VtkData){.t = t,
-                                 .points = state->n,
-                                 .x = &state->x[0][0],
-                                 .cells = -1,
-                                 .on_point = arrays},
-                      fault);
+    return write_kind(
+        s, SHOT_PARTICLES, step,
+        &(VtkData){
+            .t = t, .points = state->n, .x = &state->x[0][0], .cells = -1, .on_point = arrays},
+        fault);
 }
 
 static int shoot_points(Snapshots *s, const Scene *scene, const Solver *solver, const void *self,
@@ -95,8 +93,7 @@ static int shoot_nodes(Snapshots *s, const Solver *solver, const void *self, lon
     if (!x) return no_memory(fault);
     for (int k = 0; k < n.n; k++)
         for (int d = 0; d < DIM; d++) x[k][d] = n.x[d][k], v[k][d] = n.v[d][k];
-    const VtkArray arrays[] = {
-        {"v", VTK_F64, 3, v}, {"mass", VTK_F64, 1, n.m}, {0}};
+    const VtkArray arrays[] = {{"v", VTK_F64, 3, v}, {"mass", VTK_F64, 1, n.m}, {0}};
     const int code = write_kind(
         s, SHOT_NODES, step,
         &(VtkData){.t = t, .points = n.n, .x = &x[0][0], .cells = -1, .on_point = arrays}, fault);
@@ -129,12 +126,10 @@ static int write_patches(Snapshots *s, const Scene *scene, const Solver *solver,
 {
     State e = {0};
     if (solver->elements && state_of_elements(&e, scene, solver, self, fault)) return FAULT_MACHINE;
-    const VtkArray arrays[] = {{"cut", VTK_U8, 1, p->cut},
-                               {"F", VTK_F64, 9, e.F},
-                               {"stress", VTK_F64, 9, e.sigma},
-                               {"von_mises", VTK_F64, 1, e.von_mises},
-                               {"energy", VTK_F64, 1, e.energy},
-                               {0}};
+    const VtkArray arrays[] = {
+        {"cut", VTK_U8, 1, p->cut},       {"F", VTK_F64, 9, e.F},
+        {"stress", VTK_F64, 9, e.sigma},  {"von_mises", VTK_F64, 1, e.von_mises},
+        {"energy", VTK_F64, 1, e.energy}, {0}};
     const VtkData data = {.t = t,
                           .points = p->corners,
                           .x = &p->x[0][0],
@@ -157,7 +152,9 @@ static int shoot_patches(Snapshots *s, const Scene *scene, const Solver *solver,
     p.end = calloc((size_t)count.cells + 1, sizeof *p.end);
     p.cut = calloc((size_t)count.cells + 1, 1);
     int code = FAULT_MACHINE;
-    if (p.x && p.corner && p.end && p.cut) {
+    if (!count.cells)
+        code = 0;
+    else if (p.x && p.corner && p.end && p.cut) {
         solver->patches(self, see_patch, &p);
         code = write_patches(s, scene, solver, self, &p, step, t, fault);
     } else
@@ -175,8 +172,7 @@ int snapshot_take(Snapshots *s, const Scene *scene, const Solver *solver, const 
     int code = 0;
     if (due && !taken) {
         code = shoot_points(s, scene, solver, self, step, t, fault);
-        if (!code && solver->nodes && step > 0)
-            code = shoot_nodes(s, solver, self, step, t, fault);
+        if (!code && solver->nodes && step > 0) code = shoot_nodes(s, solver, self, step, t, fault);
         if (!code && solver->patches && DIM == 2 && (solver->elements || step > 0))
             code = shoot_patches(s, scene, solver, self, step, t, fault);
     }

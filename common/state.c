@@ -68,7 +68,7 @@ static void set_point(State *s, const Scene *scene, const Points *p, double *con
     }
     s->id[r] = r;
     s->m[r] = p->m[k];
-    s->surface[r] = (uint8_t)!(p->m[k] > 0);
+    s->surface[r] = (uint8_t) !(p->m[k] > 0);
     set_strain(s, scene, r, f, t);
 }
 

@@ -19,12 +19,12 @@ typedef struct VtkArray {
 
 /* Nothing here is owned. Without cells every point is drawn as a vertex. */
 typedef struct VtkData {
-    double t;        /* [s] */
-    int64_t points;  /* number of points */
-    const double *x; /* [points][3] */
-    int64_t cells;   /* number of polygons; -1: a cloud of points */
-    const int64_t *corner;   /* [end[cells - 1]] points around each polygon, one after the other */
-    const int64_t *end;      /* [cells] where the corners of each polygon end */
+    double t;                 /* [s] */
+    int64_t points;           /* number of points */
+    const double *x;          /* [points][3] */
+    int64_t cells;            /* number of polygons; -1: a cloud of points */
+    const int64_t *corner;    /* [end[cells - 1]] points around each polygon, one after the other */
+    const int64_t *end;       /* [cells] where the corners of each polygon end */
     const VtkArray *on_point; /* ended by a NULL name, or NULL */
     const VtkArray *on_cell;
 } VtkData;
@@ -32,7 +32,8 @@ typedef struct VtkData {
 /* 0 or a fault (1: memory, disk). */
 int vtk_write(const char *path, const VtkData *data, Fault *fault);
 
-/* A collection: n files named STEM_000012.vtp (step[k] = 12) in path's own folder, at times t [s]. */
+/* A collection: n files named STEM_000012.vtp (step[k] = 12) in path's own folder, at times t [s].
+ */
 int vtk_collect(const char *path, const char *stem, int n, const long step[], const double t[],
                 Fault *fault);
 

@@ -12,10 +12,10 @@ enum { WALL };
 
 static const double radius = 0.2, start_at = 0.3, speed = 0.2; /* [m] [m] [m/s] an axis */
 
-static const Param params[] = {
-    {"wall", 0, 0, 1, "", "holds always, or only while the body pushes against it", "W11 5.2",
-     "bilateral|unilateral"},
-    {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+static const Param params[] = {{"wall", 0, 0, 1, "",
+                                "holds always, or only while the body pushes against it", "W11 5.2",
+                                "bilateral|unilateral"},
+                               {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 static int init(Scene *s, char why[128])
 {
@@ -59,8 +59,7 @@ static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
     if (!fitted) return false;
     const int rings = (int)ceil(radius / spacing - 1e-9);
     const double dr = radius / rings;
-    for (int k = 0; k < rings; k++)
-        layout_add_arc(out, s, (k + 0.5) * dr, dr, spacing, 0);
+    for (int k = 0; k < rings; k++) layout_add_arc(out, s, (k + 0.5) * dr, dr, spacing, 0);
     layout_add_arc(out, s, radius, 0, spacing, 1);
     return true;
 }

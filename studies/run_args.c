@@ -43,12 +43,9 @@ static const struct File {
     const char *option;
     size_t at;
 } files[] = {
-    {"history", offsetof(RunArgs, spec.history)},
-    {"particles", offsetof(RunArgs, spec.particles)},
-    {"nodes", offsetof(RunArgs, spec.nodes)},
-    {"elements", offsetof(RunArgs, spec.elements)},
-    {"vtk", offsetof(RunArgs, spec.vtk)},
-    {"csv", offsetof(RunArgs, csv)},
+    {"history", offsetof(RunArgs, spec.history)}, {"particles", offsetof(RunArgs, spec.particles)},
+    {"nodes", offsetof(RunArgs, spec.nodes)},     {"elements", offsetof(RunArgs, spec.elements)},
+    {"vtk", offsetof(RunArgs, spec.vtk)},         {"csv", offsetof(RunArgs, csv)},
 };
 
 enum { MOST_NAMES = 64 };
