@@ -107,14 +107,14 @@ static inline void gimp_shape(const Axis *axis, int width, const Field x, const 
         }
 }
 
-/* Quadratic spline about the nearest node, W11 eq 4: |x - x_i| < 3/2. */
-static inline int spline_width(double b)
+/* The weight of WLS, a quadratic spline about the nearest node, W11 eq 4: |x - x_i| < 3/2. */
+static inline int weight_width(double b)
 {
     (void)b;
     return 3;
 }
 
-static inline void spline_shape(const Axis *axis, int width, const Field x, const Field b,
+static inline void weight_shape(const Axis *axis, int width, const Field x, const Field b,
                                 Stencil *out)
 {
     (void)axis, (void)width, (void)b;

@@ -37,7 +37,6 @@ const Method method_wls = {
              .params = params},
     .valid = 1u << CD | 1u << USL,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},
-    .linear_exact = true,
     .surface = true,
     .width = tent_width,
     .shape = inner_tent_shape,

@@ -99,7 +99,7 @@ bool wls_mirrored_cell(const Grid *g, int axis, int i);
 /* Points and weights (fractions of a cell) that integrate over the part of a cell where the
  * distance, given at its corners (bit d of the number: far side of axis d), is positive. Returns
  * their number. */
-enum { MAX_POINTS = 16 };
+enum { MAX_POINTS = 18 };
 int wls_cell_points(const double distance[CORNERS], bool exact, double xi[MAX_POINTS][DIM],
                     double weight[MAX_POINTS]);
 

@@ -6,16 +6,16 @@
 #include "wls.h"
 #include "wls_squares.h"
 
-/* The part [0, cut] or [cut, 1] of a line: one point, or two of Gauss. */
-static int line_points(const double d[2], bool exact, double x[], double weight[])
+/* The part of a line where the distance is positive: one point, or two of Gauss. */
+static int line_points(const double d[2], bool exact, double x[][2], double weight[])
 {
+    if (!(d[0] > 0) && !(d[1] > 0)) return 0;
     const double cut = d[0] / (d[0] - d[1]);
     const double from = d[0] > 0 ? 0 : cut, to = d[1] > 0 ? 1 : cut;
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from) / sqrt(3);
-    if (!(d[0] > 0) && !(d[1] > 0)) return 0;
     for (int q = 0; q <= exact; q++) {
-        x[q] = middle + (exact ? (2 * q - 1) * half : 0);
-        weight[q] = (to - from) / (exact ? 2 : 1);
+        x[q][0] = middle + (exact ? (2 * q - 1) * half : 0);
+        weight[q] = (to - from) / (1 + exact);
     }
     return 1 + exact;
 }
@@ -39,12 +39,9 @@ int wls_cell_points(const double distance[CORNERS], bool exact, double xi[MAX_PO
 {
     double x[MAX_POINTS][2] = {{0}}, d[4] = {-1, -1, -1, -1};
     for (int k = 0; k < 4 && k < CORNERS; k++) d[k] = distance[k];
-    const int n = DIM == 1 ? line_points(d, exact, weight, weight + MAX_POINTS / 2)
-                           : square_points(d, exact, x, weight);
-    for (int q = 0; q < n; q++) {
-        if (DIM == 1) x[q][0] = weight[q], weight[q] = weight[q + MAX_POINTS / 2];
+    const int n = DIM == 1 ? line_points(d, exact, x, weight) : square_points(d, exact, x, weight);
+    for (int q = 0; q < n; q++)
         for (int a = 0; a < DIM; a++) xi[q][a] = x[q][a % 2];
-    }
     return n;
 }
 

@@ -69,18 +69,28 @@ double polygon_area(const Polygon *p, double centroid[2])
     return area;
 }
 
+/* The three points of one triangle. */
+static int triangle_points(const double *a, const double *b, const double *c, double x[][2],
+                           double weight[])
+{
+    const double *corner[3] = {a, b, c};
+    const double twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    for (int q = 0; q < 3; q++) {
+        weight[q] = twice / 6;
+        for (int d = 0; d < 2; d++) x[q][d] = (a[d] + b[d] + c[d] + 3 * corner[q][d]) / 6;
+    }
+    return 3;
+}
+
+/* A fan about the centroid, so that mirrored shapes have mirrored points. */
 int polygon_points(const Polygon *p, double x[MAX_SQUARE_POINTS][2],
                    double weight[MAX_SQUARE_POINTS])
 {
+    double centre[2];
     int n = 0;
-    for (int k = 1; k + 1 < p->n; k++) {
-        const double *corner[3] = {p->x[0], p->x[k], p->x[k + 1]};
-        const double a = 0.5 * twice_fan(p, k);
-        for (int q = 0; q < 3; q++, n++) {
-            weight[n] = a / 3;
-            for (int d = 0; d < 2; d++)
-                x[n][d] = (corner[0][d] + corner[1][d] + corner[2][d] + 3 * corner[q][d]) / 6;
-        }
-    }
+    if (p->n == 3) return triangle_points(p->x[0], p->x[1], p->x[2], x, weight);
+    if (!(polygon_area(p, centre) > 0)) return 0;
+    for (int k = 0; k < p->n; k++)
+        n += triangle_points(centre, p->x[k], p->x[(k + 1) % p->n], x + n, weight + n);
     return n;
 }

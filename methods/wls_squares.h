@@ -2,7 +2,7 @@
 #ifndef MPMLAB_WLS_SQUARES_H
 #define MPMLAB_WLS_SQUARES_H
 
-enum { MAX_SIDES = 6, MAX_PIECES = 2, MAX_SQUARE_POINTS = 3 * (MAX_SIDES - 2) };
+enum { MAX_SIDES = 6, MAX_PIECES = 2, MAX_SQUARE_POINTS = 3 * MAX_SIDES };
 
 typedef struct Polygon {
     int n;
