@@ -75,10 +75,11 @@ int write_particles(const char *path, const Scene *scene, const Solver *solver, 
     return code;
 }
 
-int write_elements(const char *path, const Scene *scene, const Solver *solver, const void *self,
-                   Fault *fault)
+int write_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                  Fault *fault)
 {
     State s;
+    if (!solver->elements) return write_particles(path, scene, solver, self, fault);
     if (state_of_elements(&s, scene, solver, self, fault)) return FAULT_MACHINE;
     const int code = write_state(path, &s, fault);
     state_free(&s);

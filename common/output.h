@@ -20,9 +20,10 @@ void history_line(FILE *out, const Moment *m);
 int write_particles(const char *path, const Scene *scene, const Solver *solver, const void *self,
                     Fault *fault);
 
-/* All elements of a mesh, the same columns: positions and velocities are means of the corners. */
-int write_elements(const char *path, const Scene *scene, const Solver *solver, const void *self,
-                   Fault *fault);
+/* What carries strain, the same columns: elements of a mesh (positions and velocities are means of
+ * their corners, mass their own), else particles. */
+int write_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                  Fault *fault);
 
 /* Live nodes with their velocities: id,x,y,mass,vx,vy. */
 int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault);

@@ -255,9 +255,6 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
         read_params(spec, plan->method->params, plan->method_par, fault) ||
         make_scene(spec, plan, fault) || choose_integrator(spec, plan, run, fault))
         return FAULT_USAGE;
-    if (spec->elements && !plan->solver->elements)
-        return fault_set(fault, FAULT_USAGE, "--elements: got '%s', takes a method with a mesh (fem)",
-                         spec->elements);
     s->scene = &plan->scene;
     s->method_par = plan->method_par;
     s->cells = (int)spec->cells;

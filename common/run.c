@@ -203,8 +203,8 @@ static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
     int code = 0;
     if (spec->particles)
         code = write_particles(spec->particles, &l->plan->scene, solver, l->self, fault);
-    if (!code && spec->elements)
-        code = write_elements(spec->elements, &l->plan->scene, solver, l->self, fault);
+    if (!code && spec->samples)
+        code = write_samples(spec->samples, &l->plan->scene, solver, l->self, fault);
     if (!code && spec->nodes) code = write_nodes(spec->nodes, solver, l->self, fault);
     return code;
 }

@@ -17,7 +17,7 @@ const Option run_options[] = {
     {"history", "FILE", "write energies and errors of every step"},
     {"particles", "FILE", "write the particles at the end"},
     {"nodes", "FILE", "write the grid nodes at the end"},
-    {"elements", "FILE", "write the elements at the end (fem)"},
+    {"samples", "FILE", "write what carries strain at the end: elements of fem, else particles"},
     {"vtk", "DIR", "write snapshots into DIR"},
     {"every", "K", "steps between snapshots (default: first and last only)"},
     {"quiet", NULL, "no messages"},
@@ -44,7 +44,7 @@ static const struct File {
     size_t at;
 } files[] = {
     {"history", offsetof(RunArgs, spec.history)}, {"particles", offsetof(RunArgs, spec.particles)},
-    {"nodes", offsetof(RunArgs, spec.nodes)},     {"elements", offsetof(RunArgs, spec.elements)},
+    {"nodes", offsetof(RunArgs, spec.nodes)},     {"samples", offsetof(RunArgs, spec.samples)},
     {"vtk", offsetof(RunArgs, spec.vtk)},         {"csv", offsetof(RunArgs, csv)},
 };
 
