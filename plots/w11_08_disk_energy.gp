@@ -16,27 +16,27 @@ set ytics 0.2
 do for [k = 1:2] {
     m = word('wls gimp', k)
     E0 = first(m)
-    set lmargin at screen (k == 1 ? 0.09 : 0.56)
+    set lmargin at screen (k == 1 ? 0.1 : 0.56)
     set rmargin at screen (k == 1 ? 0.5 : 0.97)
     set tmargin at screen 0.95
     set bmargin at screen 0.58
     set label 1 heading((k == 1 ? '(a) ' : '(b) ').label(m)) at graph 0, graph 1.05
     set ylabel k == 1 ? 'energy / E_0' : ''
-    set key at graph 0.98, graph 0.62 right center
+    set key at graph 0.78, graph 0.5 right center
     plot file(m) using 't':(column('total') / E0) with lines lc rgb '#222222' lw 2 title 'total', \
          '' using 't':(column('kinetic') / E0) with lines ls style('gimp') lw 2 title 'kinetic', \
          '' using 't':(column('strain') / E0) with lines ls style('mpm') lw 2 title 'strain'
 }
-set lmargin at screen 0.09
+set lmargin at screen 0.1
 set rmargin at screen 0.72
 set tmargin at screen 0.46
 set bmargin at screen 0.09
 set label 1 heading('(c) total energy, every method')
-set ylabel 'total energy / E_0'
+set ylabel 'total energy / E_0' offset 1
 set yrange [0.9:1.08]
 set ytics 0.05
-set label 2 'floor' at 0.62, 1.07 center
-set label 3 'right wall' at 2.62, 1.07 center
+set label 2 'floor' at 0.62, 0.907 center
+set label 3 'right wall' at 2.7, 0.907 center
 set arrow 1 from 2.3, graph 0 to 2.3, graph 1 nohead ls 21
 set key at screen 0.735, screen 0.46 left top title 'left of E_0 at t = 2.3' left
 plot for [m in METHODS] exists('back_'.m) ? file(m) : '/dev/null' using 't':(column('total') / first(m)) \

@@ -58,12 +58,26 @@ static void write_run(FILE *points, FILE *sums, const char *dir, const char *met
     rim_free(&rim);
 }
 
+/* Did the run of this method and mesh reach the end? */
+static bool is_whole(const Table *rows, const char *method, int cells)
+{
+    for (int row = 0; rows && row < rows->nrow; row++)
+        if (strcmp(table_text(rows, row, "method"), method) == 0 &&
+            lround(table_number(rows, row, "cells")) == cells)
+            return !is_lost(rows, row);
+    return false;
+}
+
 static void write_runs(FILE *points, FILE *sums, const char *dir, const HoleReference *r)
 {
+    Table *rows = part_read(dir, name, NULL, NULL);
     fputs("method,cells,angle,von_mises,reference\n", points);
     fputs("method,cells,points,rms,scatter,displacement\n", sums);
     for (const Info *const *m = engine_2d.methods; *m; m++)
-        for (int k = 0; k < MESHES; k++) write_run(points, sums, dir, (*m)->name, meshes[k], r);
+        for (int k = 0; k < MESHES; k++)
+            if (is_whole(rows, (*m)->name, meshes[k]))
+                write_run(points, sums, dir, (*m)->name, meshes[k], r);
+    table_free(rows);
     for (int k = 0; k < MESHES; k++) write_run(points, sums, dir, fem_nodes, meshes[k], r);
 }
 
