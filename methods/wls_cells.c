@@ -85,24 +85,25 @@ static inline bool value_at(const Wls *w, const size_t corner[CORNERS], const do
     return total > 0;
 }
 
-/* Eqs 22-24 of one point of `volume` [cells]. */
+/* Eqs 22-24 of one point of `volume` [cells]: every corner gets S m - sum_b G_b flux_b. */
 static inline void add_point(Sim *sim, const size_t corner[CORNERS], const Shape *shape,
                              const Line value, double volume)
 {
     Grid *g = &sim->g;
-    const double h = sim->dx, V = volume * pow(h, DIM);
-    for (int k = 0; k < CORNERS; k++) {
-        const size_t at = corner[k];
-        const double m = shape->S[k] * V * value[Q_RHO];
-        Line add = {0};
-        add[0] = m;
-        for (int s = 1 + DIM; s < FLUX; s++) add[s] = m;
+    double V = volume;
+    Line mass = {0}, flux[DIM] = {{0}};
+    for (int d = 0; d < DIM; d++) V *= sim->dx;
+    mass[0] = V * value[Q_RHO];
+    for (int s = 1 + DIM; s < FLUX; s++) mass[s] = mass[0];
+    for (int b = 0; b < DIM; b++)
         for (int a = 0; a < DIM; a++)
-            for (int b = 0; b < DIM; b++)
-                add[FLUX + a] -= value[Q_SIGMA + pair(a, b)] * shape->G[k][b] * V / h;
-        g->node[at] += add;
+            flux[b][FLUX + a] = -value[Q_SIGMA + pair(a, b)] * V * g->cells;
+    for (int k = 0; k < CORNERS; k++) {
+        Line add = shape->S[k] * mass;
+        for (int b = 0; b < DIM; b++) add += shape->G[k][b] * flux[b];
+        g->node[corner[k]] += add;
         for (int a = 0; g->force && a < DIM; a++)
-            g->force[at * DIM + (size_t)a] += shape->S[k] * V * value[Q_FORCE + a];
+            g->force[corner[k] * DIM + (size_t)a] += shape->S[k] * V * value[Q_FORCE + a];
     }
 }
 

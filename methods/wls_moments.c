@@ -11,12 +11,13 @@ enum { W_ONE, W_R, W_RR, W_TENT, KERNELS };
 
 typedef struct Kernel {
     int base[CHUNK];
+    Field off; /* of the particle from the middle node */
     Field table[KERNELS][3];
 } Kernel;
 
 typedef struct Deposit {
     Kernel kernel[DIM];
-    Field T[NMAT], body[DIM];
+    Field T[NMAT], body[DIM], quantity[LANES];
     Line A[CHUNK]; /* quantities by particle */
 } Deposit;
 
@@ -32,12 +33,13 @@ static int moment_table(int lane, int axis)
 }
 
 typedef struct MomentPattern {
-    Line e[DIM][KERNELS];
+    Line e[DIM][KERNELS], one;
 } MomentPattern;
 
 static MomentPattern moment_pattern(void)
 {
     MomentPattern q;
+    for (int l = 0; l < LANES; l++) q.one[l] = 1;
     for (int d = 0; d < DIM; d++)
         for (int t = 0; t < KERNELS; t++)
             for (int l = 0; l < LANES; l++) q.e[d][t][l] = l <= M_BETA && moment_table(l, d) == t;
@@ -49,53 +51,67 @@ static void make_kernel(const double x[], int cells, int origin, Kernel *out)
     for (int p = 0; p < CHUNK; p++) {
         const double at = x[p] * cells - origin, c = floor(at + 0.5), r = at - c;
         out->base[p] = (int)c - 1;
-        const double w[3] = {0.5 * (0.5 - r) * (0.5 - r), 0.75 - r * r,
-                             0.5 * (0.5 + r) * (0.5 + r)};
-        for (int k = 0; k < 3; k++) {
-            const double s = r - (k - 1), tent = 1 - fabs(s);
-            out->table[W_ONE][k][p] = w[k];
-            out->table[W_R][k][p] = w[k] * s;
-            out->table[W_RR][k][p] = w[k] * s * s;
+        out->off[p] = r;
+        out->table[W_ONE][0][p] = 0.5 * (0.5 - r) * (0.5 - r);
+        out->table[W_ONE][1][p] = 0.75 - r * r;
+        out->table[W_ONE][2][p] = 0.5 * (0.5 + r) * (0.5 + r);
+    }
+    for (int k = 0; k < 3; k++)
+        for (int p = 0; p < CHUNK; p++) {
+            const double w = out->table[W_ONE][k][p], s = out->off[p] - (k - 1), tent = 1 - fabs(s);
+            out->table[W_R][k][p] = w * s;
+            out->table[W_RR][k][p] = w * s * s;
             out->table[W_TENT][k][p] = tent > 0 ? tent : 0;
         }
-    }
 }
 
 /* beta of eq 13 rides on the tents of axis 0; padding has no weight at all. */
 static void weigh(const Wls *w, const Chunk *c, Kernel *kernel)
 {
+    Field real, beta;
     for (int p = 0; p < CHUNK; p++) {
-        const double real = c->id[p] >= 0, beta = c->V0[p] > 0 ? 2 : real * w->surface_beta;
-        for (int k = 0; k < 3; k++) {
-            for (int t = 0; t < W_TENT; t++) kernel->table[t][k][p] *= real;
-            kernel->table[W_TENT][k][p] *= beta;
+        real[p] = c->id[p] >= 0 ? 1 : 0;
+        beta[p] = c->V0[p] > 0 ? 2 : real[p] * w->surface_beta;
+    }
+    for (int k = 0; k < 3; k++)
+        for (int p = 0; p < CHUNK; p++) {
+            for (int t = 0; t < W_TENT; t++) kernel->table[t][k][p] *= real[p];
+            kernel->table[W_TENT][k][p] *= beta[p];
         }
+}
+
+/* f_ext = rho b, sigma = T/J; a law whose T is not symmetric gives half of both. */
+static void load_forces(const Sim *sim, const Chunk *c, double t, Deposit *w)
+{
+    const Field *rho = (const Field *)&w->quantity[Q_RHO], *T = (const Field *)w->T;
+    const double half = 0.5 / sim->setup->scene->mat.rho;
+    sim_stress(sim, c, w->T);
+    sim_body(sim, c, t, w->body);
+    for (int a = 0; a < DIM; a++) {
+        for (int p = 0; p < CHUNK; p++) w->quantity[Q_FORCE + a][p] = (*rho)[p] * w->body[a][p];
+        for (int b = a; b < DIM; b++)
+            for (int p = 0; p < CHUNK; p++)
+                w->quantity[Q_SIGMA + pair(a, b)][p] =
+                    half * (*rho)[p] * (T[a * DIM + b][p] + T[b * DIM + a][p]);
     }
 }
 
-/* v, rho = rho0/J, f_ext = rho b, sigma = T/J (4.1); a law whose T is not symmetric gives half of
- * both. */
+/* All quantities of a chunk (4.1), rho = rho0/J among them. */
 static void load_quantities(const Sim *sim, const Chunk *c, double t, bool force, Deposit *w)
 {
     const double rho0 = sim->setup->scene->mat.rho;
-    if (force) {
-        sim_stress(sim, c, w->T);
-        sim_body(sim, c, t, w->body);
-    }
+    for (int a = 0; a < DIM; a++)
+        for (int p = 0; p < CHUNK; p++) w->quantity[Q_V + a][p] = c->v[a][p];
     for (int p = 0; p < CHUNK; p++) {
         Mat F;
-        Line A = {0};
         for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
-        const double iJ = 1 / determinant(F);
-        for (int a = 0; a < DIM; a++) A[Q_V + a] = c->v[a][p];
-        A[Q_RHO] = rho0 * iJ;
-        for (int a = 0; a < DIM && force; a++) {
-            A[Q_FORCE + a] = rho0 * iJ * w->body[a][p];
-            for (int b = a; b < DIM; b++)
-                A[Q_SIGMA + pair(a, b)] = 0.5 * iJ * (w->T[a * DIM + b][p] + w->T[b * DIM + a][p]);
-        }
-        w->A[p] = A;
+        w->quantity[Q_RHO][p] = rho0 / determinant(F);
     }
+    for (int l = Q_FORCE; l < LANES; l++)
+        for (int p = 0; p < CHUNK; p++) w->quantity[l][p] = 0;
+    if (force) load_forces(sim, c, t, w);
+    for (int p = 0; p < CHUNK; p++)
+        for (int l = 0; l < LANES; l++) w->A[p][l] = w->quantity[l][p];
 }
 
 static inline size_t first_node(const Grid *g, const Kernel k[DIM], int p, int r)
@@ -124,25 +140,22 @@ static inline __attribute__((always_inline)) void scatter(const Grid *g, Wls *wl
     for (int i = 0; i < 3; i++) x[i] = lanes(&k[0], i, p, q->e[0]);
     for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? 3 : 9); r++) {
         const size_t at = first_node(g, k, p, r);
-        Line y = x[0] * 0 + 1;
-        double one = 1, first[DIM];
-        for (int d = 1; d < DIM; d++) {
-            const int n = d == 1 ? r % 3 : r / 3;
-            y *= lanes(&k[d], n, p, q->e[d]);
-            one *= k[d].table[W_ONE][n][p];
-            first[d] = 1;
-            for (int e = 1; e < DIM; e++)
-                first[d] *= k[e].table[e == d ? W_R : W_ONE][e == 1 ? r % 3 : r / 3][p];
+        Line y = DIM > 1 ? lanes(&k[DIM > 1], r % 3, p, q->e[DIM > 1]) : q->one;
+        double row = DIM > 1 ? k[DIM > 1].table[W_ONE][r % 3][p] : 1;
+        for (int d = 2; d < DIM; d++) {
+            y *= lanes(&k[d], r / 3, p, q->e[d]);
+            row *= k[d].table[W_ONE][r / 3][p];
         }
         for (int i = 0; i < 3; i++) {
             Line *fit = wls->fit[at + (size_t)i];
-            const double weight = k[0].table[W_ONE][i][p], full = weight * one;
-            double *most = &wls->most[at + (size_t)i];
+            const double weight = k[0].table[W_ONE][i][p] * row, most = wls->most[at + (size_t)i];
+            const Line load = weight * A;
             fit[FIT_MOMENTS] += x[i] * y;
-            fit[FIT_VALUE] += full * A;
-            fit[FIT_SLOPE] += k[0].table[W_R][i][p] * one * A;
-            for (int d = 1; d < DIM; d++) fit[FIT_SLOPE + d] += weight * first[d] * A;
-            *most = full > *most ? full : *most;
+            fit[FIT_VALUE] += load;
+            fit[FIT_SLOPE] += (k[0].off[p] - (i - 1)) * load;
+            for (int d = 1; d < DIM; d++)
+                fit[FIT_SLOPE + d] += (k[d].off[p] - ((d == 1 ? r % 3 : r / 3) - 1)) * load;
+            wls->most[at + (size_t)i] = weight > most ? weight : most;
         }
     }
 }
@@ -199,9 +212,10 @@ static void deposit_chunk(Sim *sim, int k, double t, bool force, Deposit *w)
 static void clear_row(const Grid *g, Wls *w, int row)
 {
     const size_t start = (size_t)row * (size_t)g->n[0];
+    const Line zero = g->zero;
     for (size_t at = start + (size_t)g->lo[row]; at < start + (size_t)g->hi[row]; at++) {
-        for (int k = 0; k < FIT; k++) w->fit[at][k] = (Line){0};
-        w->skin[at] = (Line){0};
+        for (int k = 0; k < FIT; k++) w->fit[at][k] = zero;
+        if (w->skin[at][K_ONE] > 0) w->skin[at] = zero; /* few nodes */
         w->most[at] = 0;
     }
 }
@@ -264,11 +278,11 @@ static double invert(double M[DIM + 1][DIM + 1])
 {
     double det = 1;
     for (int k = 0; k <= DIM; k++) {
-        const double pivot = M[k][k];
+        const double pivot = M[k][k], inverse = 1 / pivot;
         det *= pivot;
         if (!(pivot > 0)) return 0;
         M[k][k] = 1;
-        for (int j = 0; j <= DIM; j++) M[k][j] /= pivot;
+        for (int j = 0; j <= DIM; j++) M[k][j] *= inverse;
         for (int i = 0; i <= DIM; i++) {
             const double factor = M[i][k];
             if (i == k) continue;

@@ -1,6 +1,7 @@
 /* wls_step.c: the stages of WLS in order (W11 section 4), and their workspace. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "shapes.h"
 #include "wls.h"
 
@@ -28,6 +29,7 @@ bool wls_make(Sim *sim)
     w->surface_beta = denser > 0 ? 1 / denser : 1;
     w->fit = nodes_of(n, sizeof *w->fit);
     w->skin = nodes_of(n, sizeof *w->skin);
+    if (w->skin) memset(w->skin, 0, (n + 1) * sizeof *w->skin);
     w->most = nodes_of(n, sizeof *w->most);
     w->distance = nodes_of(n, sizeof *w->distance);
     w->good = nodes_of(n, 1);
