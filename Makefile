@@ -76,10 +76,12 @@ figures:
 
 # The tests write below build/ only; CUnit's summary comes last.
 CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
-UNIT_TESTS  = $(BUILD)/tests/tools $(DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem $(BUILD)/tests/wls
+UNIT_TESTS  = $(BUILD)/tests/tools $(DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem $(BUILD)/tests/wls \
+              $(BUILD)/tests/scenes
 CORE_TESTS  = main_dim test_contract
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
 WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_axis_mms
+SCENE_TESTS = test_disk_plate test_snapshot
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 
 $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
@@ -99,7 +101,8 @@ $(foreach d,$(DIMS),$(eval $(call dimension_tests,$(d))))
 
 $(BUILD)/tests/fem: $(FEM_TESTS:%=$(BUILD)/d2/tests/%.o)
 $(BUILD)/tests/wls: $(WLS_TESTS:%=$(BUILD)/d2/tests/%.o)
-$(BUILD)/tests/fem $(BUILD)/tests/wls: $(BUILD)/tests/check.o \
+$(BUILD)/tests/scenes: $(SCENE_TESTS:%=$(BUILD)/d2/tests/%.o)
+$(BUILD)/tests/fem $(BUILD)/tests/wls $(BUILD)/tests/scenes: $(BUILD)/tests/check.o \
   $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 

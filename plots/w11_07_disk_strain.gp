@@ -1,5 +1,5 @@
 # Strain energy per volume on the disk's particles at three times, two methods.
-tall = 1.02
+tall = 0.9
 load plots.'/style.gp'
 load plots.'/viridis.gp'
 set multiplot layout 2,3 margins 0.08,0.845,0.11,0.94 spacing 0.03,0.1

@@ -10,7 +10,7 @@ frame(k) = dir.'/'.name.'.frame.'.k.'.csv'
 E0 = start_wls2
 set border 15 lw 1 lc rgb '#444444'
 set tics nomirror out scale 0.6,0.3 textcolor rgb '#333333'
-set cbrange [0:150]
+set cbrange [0:80]
 stats [*:*][*:*] frames using 't' nooutput
 last = STATS_records - 1
 do for [k = 0:last] {
@@ -43,7 +43,7 @@ do for [k = 0:last] {
     set ytics 0.5
     set xlabel 't [s]'
     set label 1 'energy / E0'
-    set key at graph 0.98, graph 0.62 right center
+    set key at graph 0.8, graph 0.5 right center
     set arrow 1 from now, graph 0 to now, graph 1 nohead lc rgb '#999999'
     plot history using 't':(column('total') / E0) with lines lc rgb '#222222' lw 2 title 'total', \
          '' using 't':(column('kinetic') / E0) with lines lc rgb '#0072B2' lw 2 title 'kinetic', \

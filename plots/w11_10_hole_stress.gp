@@ -44,6 +44,6 @@ do for [k = 1:2] {
     set ylabel k == 1 ? '[GPa]' : ''
     if (k == 2) { set key at screen 0.855, screen 0.43 left top }
     plot for [m in METHODS] exists('rms_'.m) ? sums : '/dev/null' using (of(m, 'cells')):(k == 1 ? column('rms') : column('scatter')) \
-         with linespoints ls style(m) title exists('rms_'.m) ? label(m) : ''
+         with linespoints ls style(m) title exists('rms_'.m) ? label(m).(known(m) ? '' : ' (lost)') : ''
 }
 unset multiplot

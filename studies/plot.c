@@ -196,8 +196,8 @@ static double newest_input(const char *dir, const char *name)
 static bool is_due(const Study *study, const char *dir, const char *plots, int k)
 {
     const double script = age(plots, study->name, formats[k].script);
-    const double inputs = fmax(fmax(script, age(plots, "style", ".gp")),
-                               newest_input(dir, study->name));
+    const double inputs =
+        fmax(fmax(script, age(plots, "style", ".gp")), newest_input(dir, study->name));
     char *ending = text_of(".%s", formats[k].name);
     const bool fresh = age(dir, study->name, ending) > inputs;
     free(ending);

@@ -1,8 +1,8 @@
 /* w11_08_disk_energy.c: kinetic, strain and total energy of the disk through two impacts, every
  * method. Wallstedt and Guilkey (2011), fig. 8. And a moving picture of one of them.
  *
- * The disk flies at 45 degrees: kinetic energy is halved when it stands still against the floor at t
- * ~ .93, and what comes back of it is judged at t = 2.3, before it meets the right wall. */
+ * The disk flies at 45 degrees: kinetic energy is halved when it stands still against the floor at
+ * t ~ .93, and what comes back of it is judged at t = 2.3, before it meets the right wall. */
 #include <math.h>
 #include <string.h>
 #include "pages.h"
@@ -108,8 +108,7 @@ static double largest_jump(const char *dir, const char *file)
     Table *t = part_read(dir, name, file, NULL);
     double most = t && t->nrow ? 0 : NAN;
     for (int k = 1; t && k < t->nrow && table_number(t, k, "t") <= 2.3; k++)
-        most = fmax(most,
-                    fabs(table_number(t, k, "total") - table_number(t, k - 1, "total")));
+        most = fmax(most, fabs(table_number(t, k, "total") - table_number(t, k - 1, "total")));
     if (t && t->nrow) most /= table_number(t, 0, "total");
     table_free(t);
     return most;

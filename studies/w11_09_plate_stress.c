@@ -1,5 +1,5 @@
-/* w11_09_plate_stress.c: von Mises stress of the plate with a hole at 0, 464 and 696 us, by WLS2 and
- * by GIMP. Wallstedt and Guilkey (2011), fig. 9. */
+/* w11_09_plate_stress.c: von Mises stress of the plate with a hole at 0, 464 and 696 us, by WLS2
+ * and by GIMP. Wallstedt and Guilkey (2011), fig. 9. */
 #include <math.h>
 #include "pages.h"
 
@@ -29,8 +29,7 @@ static double largest(const char *dir, const char *method, const char *time)
     double most = 0;
     snprintf(part, sizeof part, "%s.%s", method, time);
     Table *t = part_read(dir, name, part, NULL);
-    for (int k = 0; t && k < t->nrow; k++)
-        most = fmax(most, table_number(t, k, "von_mises") / 1e9);
+    for (int k = 0; t && k < t->nrow; k++) most = fmax(most, table_number(t, k, "von_mises") / 1e9);
     if (!t) most = NAN;
     table_free(t);
     return most;
