@@ -38,6 +38,7 @@ const Method method_wls = {
     .valid = 1u << CD | 1u << USL,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},
     .surface = true,
+    .about_node = true,
     .width = tent_width,
     .shape = inner_tent_shape,
     .update = flip_update,

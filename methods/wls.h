@@ -1,6 +1,7 @@
 /* wls.h: rooms of the weighted-least-squares method (W11 sections 3, 4): what they share.
  *
- *   wls_moments.c   particles to moments and loads of every node, and their solution (eqs 7-12)
+ *   wls_moments.c   particles to moments and loads of every node (eqs 7-9)
+ *   wls_fit.c       planes from them (eqs 10-12)
  *   wls_surface.c   signed distance of nodes from flagged surface points (eqs 13-17)
  *   wls_squares.c   marching squares: the shape of a cut cell (eq 18)
  *   wls_cells.c     integrals over full and cut cells (eqs 19-24)
@@ -86,6 +87,9 @@ void wls_deposit(Sim *sim, double t, bool force);
 /* Coefficients of one node's functions in place of its loads. Returns false if it fell back to c0:
  * no particle within the trigger weight, or moments that do not determine a plane. */
 bool wls_solve(Line fit[FIT], bool near);
+
+/* Surface point p of a chunk to the surface sums of its 2^DIM nodes. */
+void wls_skin_point(Sim *sim, const Chunk *c, int p);
 
 /* Signed distances of the live nodes of one row. */
 void wls_distances(Sim *sim, int row, double t);

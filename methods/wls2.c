@@ -39,6 +39,7 @@ const Method method_wls2 = {
     .integrator = {[1] = CD, [2] = CD, [3] = CD},
     .linear_exact = true,
     .surface = true,
+    .about_node = true,
     .width = tent_width,
     .shape = inner_tent_shape,
     .update = flip_update,

@@ -4,6 +4,7 @@
  * W is the product of quadratic splines (eq 4), three nodes an axis. Every particle counts as a
  * sample whatever it weighs, surface points included. */
 #include <math.h>
+#include "../common/scheme.h"
 #include "wls.h"
 
 /* Tables of one axis: W, W r, W r^2, tent; for the nodes base, base + 1, base + 2. */
@@ -18,7 +19,8 @@ typedef struct Kernel {
 typedef struct Deposit {
     Kernel kernel[DIM];
     Field T[NMAT], body[DIM], quantity[LANES];
-    Line A[CHUNK]; /* quantities by particle */
+    Line A[CHUNK];    /* quantities by particle */
+    Line x[CHUNK][3]; /* weights of the moments on axis 0 */
 } Deposit;
 
 /* Which table of an axis a lane of the moments takes. */
@@ -114,11 +116,10 @@ static void load_quantities(const Sim *sim, const Chunk *c, double t, bool force
         for (int l = 0; l < LANES; l++) w->A[p][l] = w->quantity[l][p];
 }
 
-static inline size_t first_node(const Grid *g, const Kernel k[DIM], int p, int r)
+static inline size_t first_of(const Grid *g, const Kernel k[DIM], int p)
 {
     size_t row = 0;
-    for (int d = DIM - 1; d > 0; d--)
-        row = row * (size_t)g->n[d] + (size_t)(k[d].base[p] + (d == 1 ? r % 3 : r / 3));
+    for (int d = DIM - 1; d > 0; d--) row = row * (size_t)g->n[d] + (size_t)k[d].base[p];
     return row * (size_t)g->n[0] + (size_t)k[0].base[p];
 }
 
@@ -130,69 +131,74 @@ static inline __attribute__((always_inline)) Line lanes(const Kernel *k, int nod
     return w;
 }
 
-/* One particle to its 3^DIM nodes. */
-static inline __attribute__((always_inline)) void scatter(const Grid *g, Wls *wls, const Deposit *w,
-                                                          int p, const MomentPattern *q)
+/* Particle p to row r of its nodes, three of them. */
+static inline __attribute__((always_inline)) void
+add_to_row(const Deposit *w, int p, int r, const MomentPattern *q, Line fit[3][FIT], double most[3])
 {
     const Kernel *k = w->kernel;
     const Line A = w->A[p];
-    Line x[3];
-    for (int i = 0; i < 3; i++) x[i] = lanes(&k[0], i, p, q->e[0]);
+    Line y = DIM > 1 ? lanes(&k[DIM > 1], r % 3, p, q->e[DIM > 1]) : q->one;
+    double row = DIM > 1 ? k[DIM > 1].table[W_ONE][r % 3][p] : 1;
+    for (int d = 2; d < DIM; d++) {
+        y *= lanes(&k[d], r / 3, p, q->e[d]);
+        row *= k[d].table[W_ONE][r / 3][p];
+    }
+    for (int i = 0; i < 3; i++) {
+        const double weight = k[0].table[W_ONE][i][p] * row, before = most[i];
+        const Line load = weight * A;
+        fit[i][FIT_MOMENTS] += w->x[p][i] * y;
+        fit[i][FIT_VALUE] += load;
+        fit[i][FIT_SLOPE] += (k[0].off[p] - (i - 1)) * load;
+        for (int d = 1; d < DIM; d++)
+            fit[i][FIT_SLOPE + d] += (k[d].off[p] - ((d == 1 ? r % 3 : r / 3) - 1)) * load;
+        most[i] = weight > before ? weight : before;
+    }
+}
+
+/* Particles from <= p < to, which see the same nodes: summed in registers, a row at a time. */
+static inline void scatter_run(const Grid *g, Wls *wls, const Deposit *w, int from, int to,
+                               const MomentPattern *q)
+{
+    const size_t first = first_of(g, w->kernel, from);
     for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? 3 : 9); r++) {
-        const size_t at = first_node(g, k, p, r);
-        Line y = DIM > 1 ? lanes(&k[DIM > 1], r % 3, p, q->e[DIM > 1]) : q->one;
-        double row = DIM > 1 ? k[DIM > 1].table[W_ONE][r % 3][p] : 1;
-        for (int d = 2; d < DIM; d++) {
-            y *= lanes(&k[d], r / 3, p, q->e[d]);
-            row *= k[d].table[W_ONE][r / 3][p];
-        }
+        const size_t at = first + row_offset(g, 3, r);
+        Line fit[3][FIT] = {{{0}}};
+        double most[3] = {0};
+        for (int p = from; p < to; p++) add_to_row(w, p, r, q, fit, most);
         for (int i = 0; i < 3; i++) {
-            Line *fit = wls->fit[at + (size_t)i];
-            const double weight = k[0].table[W_ONE][i][p] * row, most = wls->most[at + (size_t)i];
-            const Line load = weight * A;
-            fit[FIT_MOMENTS] += x[i] * y;
-            fit[FIT_VALUE] += load;
-            fit[FIT_SLOPE] += (k[0].off[p] - (i - 1)) * load;
-            for (int d = 1; d < DIM; d++)
-                fit[FIT_SLOPE + d] += (k[d].off[p] - ((d == 1 ? r % 3 : r / 3) - 1)) * load;
-            wls->most[at + (size_t)i] = weight > most ? weight : most;
+            double *before = &wls->most[at + (size_t)i];
+            for (int l = 0; l < FIT; l++) wls->fit[at + (size_t)i][l] += fit[i][l];
+            *before = most[i] > *before ? most[i] : *before;
         }
     }
 }
 
-/* Current outward normal F^-T N of surface point p, not yet of unit length. */
-static void push_normal(const Chunk *c, int p, double n[DIM])
+static inline void scatter_one(const Grid *g, Wls *wls, const Deposit *w, int p,
+                               const MomentPattern *q)
 {
-    Mat F;
-    for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
-    for (int a = 0; a < DIM; a++) {
-        n[a] = 0;
-        for (int b = 0; b < DIM; b++) n[a] += cofactor(F, a, b) * c->normal[b][p];
+    const size_t first = first_of(g, w->kernel, p);
+    for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? 3 : 9); r++) {
+        const size_t at = first + row_offset(g, 3, r);
+        add_to_row(w, p, r, q, wls->fit + at, wls->most + at);
     }
 }
 
-/* Surface point p to the sums of its 2^DIM nodes. */
-static void scatter_skin(const Grid *g, Wls *wls, const Deposit *w, const Chunk *c, int p)
+/* Particles are sorted by their nearest node: several in a row see the same nodes. */
+static void scatter(const Grid *g, Wls *wls, Deposit *w, const MomentPattern *q)
 {
-    double n[DIM], length = 0;
-    push_normal(c, p, n);
-    for (int d = 0; d < DIM; d++) length += n[d] * n[d];
-    length = length > 0 ? sqrt(length) : 1;
-    for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? 3 : 9); r++)
-        for (int i = 0; i < 3; i++) {
-            const size_t at = first_node(g, w->kernel, p, r) + (size_t)i;
-            double S = 1, dot = 0, away[DIM];
-            for (int d = 0; d < DIM; d++) {
-                const int k = d == 0 ? i : d == 1 ? r % 3 : r / 3;
-                away[d] = c->x[d][p] * g->cells - g->origin[d] - (w->kernel[d].base[p] + k);
-                S *= fabs(away[d]) < 1 ? 1 - fabs(away[d]) : 0;
-                dot += away[d] * n[d] / length;
-            }
-            if (!(S > 0)) continue;
-            wls->skin[at][K_ONE] += S;
-            for (int d = 0; d < DIM; d++) wls->skin[at][K_FIRST + d] += S * away[d];
-            wls->skin[at][K_NORMAL] += S * dot;
-        }
+    const bool runs = 3 * FIT * (int)sizeof(Line) <= (int)REGISTER_BYTES;
+    const Kernel *k = w->kernel;
+    for (int p = 0; p < CHUNK; p++)
+        for (int i = 0; i < 3; i++) w->x[p][i] = lanes(&k[0], i, p, q->e[0]);
+    for (int from = 0, to; from < CHUNK; from = to) {
+        bool same = runs;
+        for (to = from + 1; to < CHUNK && same; to += same)
+            for (int d = 0; d < DIM; d++) same &= k[d].base[to] == k[d].base[from];
+        if (runs)
+            scatter_run(g, wls, w, from, to, q);
+        else
+            scatter_one(g, wls, w, from, q);
+    }
 }
 
 static void deposit_chunk(Sim *sim, int k, double t, bool force, Deposit *w)
@@ -204,9 +210,9 @@ static void deposit_chunk(Sim *sim, int k, double t, bool force, Deposit *w)
         make_kernel(c.x[d], sim->g.cells, sim->g.origin[d], &w->kernel[d]);
     weigh(wls, &c, &w->kernel[0]);
     load_quantities(sim, &c, t, force, w);
-    for (int p = 0; p < CHUNK; p++) scatter(&sim->g, wls, w, p, &q);
+    scatter(&sim->g, wls, w, &q);
     for (int p = 0; sim->surface && p < CHUNK; p++)
-        if (c.id[p] >= 0 && !(c.V0[p] > 0)) scatter_skin(&sim->g, wls, w, &c, p);
+        if (c.id[p] >= 0 && !(c.V0[p] > 0)) wls_skin_point(sim, &c, p);
 }
 
 static void clear_row(const Grid *g, Wls *w, int row)
@@ -270,52 +276,4 @@ void wls_deposit(Sim *sim, double t, bool force)
         }
     }
     if (g->nmirror) grid_visit_pairs(sim, false, fold_pair, NULL);
-}
-
-/* Inverse of the moment matrix, by elimination without pivots (it is positive definite or of no
- * use). Returns its determinant; the inverse is good if that is positive. */
-static double invert(double M[DIM + 1][DIM + 1])
-{
-    double det = 1;
-    for (int k = 0; k <= DIM; k++) {
-        const double pivot = M[k][k], inverse = 1 / pivot;
-        det *= pivot;
-        if (!(pivot > 0)) return 0;
-        M[k][k] = 1;
-        for (int j = 0; j <= DIM; j++) M[k][j] *= inverse;
-        for (int i = 0; i <= DIM; i++) {
-            const double factor = M[i][k];
-            if (i == k) continue;
-            M[i][k] = 0;
-            for (int j = 0; j <= DIM; j++) M[i][j] -= factor * M[k][j];
-        }
-    }
-    return det;
-}
-
-bool wls_solve(Line fit[FIT], bool near)
-{
-    const Line m = fit[FIT_MOMENTS];
-    double M[DIM + 1][DIM + 1], least = 1e-10;
-    const double total = m[M_ONE];
-    for (int d = 0; d <= DIM; d++) least *= total;
-    M[0][0] = total;
-    for (int d = 0; d < DIM; d++) {
-        M[0][1 + d] = M[1 + d][0] = m[M_FIRST + d];
-        for (int e = 0; e < DIM; e++) M[1 + d][1 + e] = m[M_SECOND + pair(d, e)];
-    }
-    const bool whole = near && invert(M) > least;
-    const Line load = fit[FIT_VALUE];
-    if (!whole) {
-        fit[FIT_VALUE] = total > 0 ? load / total : (Line){0};
-        for (int d = 0; d < DIM; d++) fit[FIT_SLOPE + d] = (Line){0};
-        return false;
-    }
-    Line c[DIM + 1];
-    for (int k = 0; k <= DIM; k++) {
-        c[k] = M[k][0] * load;
-        for (int d = 0; d < DIM; d++) c[k] += M[k][1 + d] * fit[FIT_SLOPE + d];
-    }
-    for (int k = 0; k <= DIM; k++) fit[FIT_VALUE + k] = c[k];
-    return true;
 }

@@ -10,6 +10,43 @@
  * its last cells, corners included, whatever round-off says. */
 static const double ON_SURFACE = 1e-9;
 
+/* Current outward normal F^-T N of surface point p, of unit length. */
+static void push_normal(const Chunk *c, int p, double n[DIM])
+{
+    double length = 0;
+    Mat F;
+    for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
+    for (int a = 0; a < DIM; a++) {
+        n[a] = 0;
+        for (int b = 0; b < DIM; b++) n[a] += cofactor(F, a, b) * c->normal[b][p];
+        length += n[a] * n[a];
+    }
+    for (int a = 0; a < DIM && length > 0; a++) n[a] /= sqrt(length);
+}
+
+void wls_skin_point(Sim *sim, const Chunk *c, int p)
+{
+    const Grid *g = &sim->g;
+    Wls *w = wls_of(sim);
+    double n[DIM], x[DIM];
+    push_normal(c, p, n);
+    for (int d = 0; d < DIM; d++) x[d] = c->x[d][p] * g->cells - g->origin[d];
+    for (int k = 0; k < CORNERS; k++) {
+        double S = 1, dot = 0, away[DIM];
+        size_t at = 0;
+        for (int d = DIM - 1; d >= 0; d--) {
+            const int node = (int)floor(x[d]) + (k >> d & 1);
+            at = at * (size_t)g->n[d] + (size_t)node;
+            away[d] = x[d] - node;
+            S *= 1 - fabs(away[d]);
+            dot += away[d] * n[d];
+        }
+        w->skin[at][K_ONE] += S;
+        for (int d = 0; d < DIM; d++) w->skin[at][K_FIRST + d] += S * away[d];
+        w->skin[at][K_NORMAL] += S * dot;
+    }
+}
+
 /* n = sum_i G_i(x) beta_i, eq 16, at x [cells from node 0]; nodes beyond the live ones have none.
  */
 static void beta_gradient(const Sim *sim, const double x[DIM], double n[DIM])
