@@ -18,7 +18,7 @@ LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
 
 comma  = ,
 paren  = (
-FREE   = $(patsubst %,common/%.c,fault file info row spec table) \
+FREE   = $(patsubst %,common/%.c,fault file info row spec table vtk_file) \
          $(wildcard studies/*.c)
 DIMMED = $(filter-out $(FREE), $(wildcard common/*.c)) $(wildcard methods/*.c)
 problem_sources = $(shell sed -n 's/^PROBLEM$(paren)\([a-z_0-9]*\), $(1).*/problems\/\1.c/p' problems/problems.def)
@@ -77,7 +77,7 @@ figures:
 # The tests write below build/ only; CUnit's summary comes last.
 CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
 UNIT_TESTS  = $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem \
-              $(BUILD)/tests/wls
+              $(BUILD)/tests/wls $(BUILD)/tests/scenes
 CORE_DIMS   = 1 2 3
 CORE_3      = main_3d rig twin twin_make $(patsubst %,test_%,twin shapes material exact)
 CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
@@ -85,6 +85,7 @@ CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
 CORE_2      = $(CORE_1)
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
 WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_axis_mms
+SCENE_TESTS = test_disk_plate test_snapshot
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 
 $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
@@ -104,7 +105,8 @@ $(foreach d,$(CORE_DIMS),$(eval $(call dimension_tests,$(d))))
 
 $(BUILD)/tests/fem: $(FEM_TESTS:%=$(BUILD)/d2/tests/%.o)
 $(BUILD)/tests/wls: $(WLS_TESTS:%=$(BUILD)/d2/tests/%.o)
-$(BUILD)/tests/fem $(BUILD)/tests/wls: $(BUILD)/tests/check.o \
+$(BUILD)/tests/scenes: $(SCENE_TESTS:%=$(BUILD)/d2/tests/%.o)
+$(BUILD)/tests/fem $(BUILD)/tests/wls $(BUILD)/tests/scenes: $(BUILD)/tests/check.o \
   $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 
@@ -135,7 +137,8 @@ deps:
 	  libcunit1-dev gnuplot-nox fonts-dejavu-core
 
 deps-extra:
-	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind libclang-rt-14-dev libomp-14-dev
+	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind libclang-rt-14-dev libomp-14-dev \
+	  python3-vtk9 python3-numpy
 
 clean:
 	rm -rf $(BUILD)

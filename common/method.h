@@ -17,6 +17,7 @@
 #include <stdbool.h>
 #include "dim.h"
 #include "info.h"
+#include "points.h"
 
 enum {
     MAX_WIDTH = 33, /* nodes per axis that a stencil may span */
@@ -107,6 +108,9 @@ typedef struct Method {
      * symmetry has folded the nodes and before a = f/m. */
     void (*assemble)(struct Sim *sim, double t, bool force);
     void (*repair)(struct Sim *sim);
+
+    /* Shows the polygons that the last `assemble` integrated over, for output; or NULL. */
+    void (*patches)(const struct Sim *sim, PatchVisit *visit, void *own);
 
     /* Its workspace Sim.own, once a run (false: out of memory), and how it chooses its stages by
      * parameter: `adapt` changes the run's own copy of this struct. */

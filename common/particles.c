@@ -113,6 +113,12 @@ static void core_impulse(const void *self, Vec out)
     for (int d = 0; d < DIM; d++) out[d] = ((const Core *)self)->sim->impulse[d];
 }
 
+static void core_patches(const void *self, PatchVisit *visit, void *own)
+{
+    const Sim *sim = ((const Core *)self)->sim;
+    if (sim->method.patches) sim->method.patches(sim, visit, own);
+}
+
 static void core_stress(const void *self, Fields F, Fields sigma)
 {
     const Sim *sim = ((const Core *)self)->sim;
@@ -136,6 +142,7 @@ const Solver particle_solver = {
     .nodes = core_nodes,
     .counts = core_counts,
     .impulse = core_impulse,
+    .patches = core_patches,
     .point_stress = core_stress,
     .free = core_free,
 };

@@ -40,6 +40,24 @@ void layout_free(Layout *out)
     *out = (Layout){0};
 }
 
+void layout_add_arc(Layout *out, const Scene *scene, double R, double dr, double spacing, int side)
+{
+    const Body *b = &scene->body;
+    const double angle = b->angle_hi - b->angle_lo;
+    const double apart = dr > 0 ? spacing : layout_surface_spacing(out, spacing);
+    const int n = (int)ceil(angle * R / apart - 1e-9);
+    for (int q = 0; q < n; q++) {
+        const double at = b->angle_lo + (q + 0.5) * angle / n;
+        Vec X = {0}, normal = {0};
+        for (int d = 0; d < 2 && d < DIM; d++) {
+            const double e = d == 0 ? cos(at) : sin(at);
+            X[d] = b->centre[d] + R * e;
+            normal[d] = side * e;
+        }
+        layout_add(out, X, R * angle / n * dr, normal);
+    }
+}
+
 /* W07 fig 4: `count` particles of equal size fill the body from end to end. */
 static void place_evenly(Layout *out, const Scene *scene, int count)
 {

@@ -19,6 +19,11 @@ struct Layout {
 void layout_add(Layout *out, const Vec X, double volume, const double *normal);
 void layout_free(Layout *out);
 
+/* Adds points at mid angles of the arc of radius R about the scene's body [m], at most `spacing`
+ * apart; each has its share of a ring of thickness dr. dr = 0: surface points, as dense as these
+ * are to be, whose normals point outwards (side 1) or inwards (-1). */
+void layout_add_arc(Layout *out, const Scene *scene, double R, double dr, double spacing, int side);
+
 /* Spacing of surface points where particles have the given one [m]. */
 double layout_surface_spacing(const Layout *out, double spacing);
 

@@ -22,7 +22,7 @@ typedef struct Wall {
     double at;     /* [m] on a grid line: a multiple of every cell size in use */
     unsigned hold; /* bit a set: v_a = a_a = 0 there */
     bool mirror;   /* symmetry: beyond lies the mirrored body; hold is unused */
-    bool unilateral; /* hold only while the body pushes against it */
+    bool unilateral; /* hold only while the body pushes against it, then bring it to rest */
 } Wall;
 
 enum { MAX_WALLS = 8, MAX_DERIVED = 16 };

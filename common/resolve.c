@@ -260,7 +260,7 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     s->cells = (int)spec->cells;
     s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : s->method && s->method->surface;
     s->threads = spec->threads > 0 ? spec->threads : 1;
-    s->snapshot_nodes = plan->scene.problem->projection || spec->nodes;
+    s->snapshot_nodes = plan->scene.problem->projection || spec->nodes || spec->vtk;
     plan->steps = (long)run[P_STEPS];
     plan->stop_growth = run[P_STOP] > 0;
     if (choose_ppc(spec, plan, run, fault) || choose_times(spec, plan, fault) ||

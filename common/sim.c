@@ -141,7 +141,8 @@ static void set_walls(Sim *sim)
             if (w->axis != d) continue;
             if (!w->mirror) *(w->side < 0 ? &g->axis[d].wall_lo : &g->axis[d].wall_hi) = at;
             if (w->mirror) g->mirror[g->nmirror++] = (Mirror){d, at, w->side};
-            for (int i = 0; i < g->n[d] && !w->mirror; i++)
+            if (w->unilateral && !w->mirror) g->stop[g->nstop++] = (Stop){d, at, w->side, w->hold};
+            for (int i = 0; i < g->n[d] && !w->mirror && !w->unilateral; i++)
                 if (w->side * (i - at) >= 0) g->hold[d][i] |= (unsigned char)w->hold;
         }
     }

@@ -45,6 +45,13 @@ typedef struct Mirror {
     int axis, at, side;
 } Mirror;
 
+/* A wall that holds its nodes (index `at` and beyond, on `side`) only while they push against it.
+ */
+typedef struct Stop {
+    int axis, at, side;
+    unsigned hold; /* bit a: component a */
+} Stop;
+
 typedef struct Grid {
     int cells;                /* per unit length; h = 1/cells [m] */
     int origin[DIM];          /* node index 0 lies at x = origin/cells */
@@ -59,6 +66,8 @@ typedef struct Grid {
     unsigned char *hold[DIM]; /* [n[d]] bit a: component a is held at this index of axis d */
     Mirror mirror[2 * DIM];   /* by axis */
     int nmirror;
+    Stop stop[2 * DIM]; /* unilateral walls; not in hold */
+    int nstop;
     int *lo, *hi; /* [rows] live span: nodes lo <= i < hi of each row */
     int *count;   /* [longest axis + 1] for sorting */
     Vec *impulse; /* [rows] [kg m/s] momentum ledger of this step */

@@ -44,6 +44,7 @@ const Method method_wls = {
     .update = flip_update,
     .assemble = wls_assemble,
     .repair = wls_repair,
+    .patches = wls_patches,
     .make = wls_make,
     .free = wls_free,
     .adapt = wls_adapt,

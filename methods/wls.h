@@ -97,6 +97,9 @@ void wls_distances(Sim *sim, int row, double t);
 /* Mass, body force and internal force of all cells, onto the nodes of the grid. */
 void wls_integrate(Sim *sim);
 
+/* Is the cell above node index i of the axis beyond a symmetry line? */
+bool wls_mirrored_cell(const Grid *g, int axis, int i);
+
 /* Points and weights (fractions of a cell) that integrate over the part of a cell where the
  * distance, given at its corners (bit d of the number: far side of axis d), is positive. Returns
  * their number. */
@@ -113,5 +116,6 @@ void wls_free(Sim *sim);
 void wls_adapt(const double par[], Method *own);
 void wls_assemble(Sim *sim, double t, bool force);
 void wls_repair(Sim *sim);
+void wls_patches(const Sim *sim, PatchVisit *visit, void *own);
 
 #endif

@@ -132,8 +132,7 @@ static void add_cell(Sim *sim, const size_t corner[CORNERS], int mask, const Sha
     }
 }
 
-/* Is the cell above node index i of the axis beyond a symmetry line? */
-static bool mirrored_cell(const Grid *g, int axis, int i)
+bool wls_mirrored_cell(const Grid *g, int axis, int i)
 {
     for (int k = 0; k < g->nmirror; k++) {
         const Mirror *m = &g->mirror[k];
@@ -151,7 +150,7 @@ static void add_row(Sim *sim, int row)
     int lo = g->lo[row], hi = g->hi[row], rest = row;
     Shape middle;
     for (int d = 1; d < DIM; d++) {
-        if (rest % g->n[d] + 1 >= g->n[d] || mirrored_cell(g, d, rest % g->n[d])) return;
+        if (rest % g->n[d] + 1 >= g->n[d] || wls_mirrored_cell(g, d, rest % g->n[d])) return;
         rest /= g->n[d];
     }
     for (int k = 0; k < CORNERS; k++) {
@@ -172,7 +171,7 @@ static void add_row(Sim *sim, int row)
             corner[k] = (size_t)row * (size_t)g->n[0] + (size_t)i + offset[k];
             mask |= (w->distance[corner[k]] > 0) << k;
         }
-        if (mask && !mirrored_cell(g, 0, i))
+        if (mask && !wls_mirrored_cell(g, 0, i))
             add_cell(sim, corner, mask, &middle, &w->fallbacks[row]);
     }
 }

@@ -22,8 +22,12 @@ extern char **environ;
 
 enum { SECONDS = 120, TICKS = 200 /* a second */ };
 
-static const char *const formats[] = {"svg", "png"};
-enum { FORMATS = 2 };
+/* A figure is drawn as svg and png by NAME.gp; a moving picture by NAME.gif.gp, if there is one. */
+static const struct {
+    const char *name, *script;
+    int always;
+} formats[] = {{"svg", ".gp", 1}, {"png", ".gp", 1}, {"gif", ".gif.gp", 0}};
+enum { FORMATS = 3 };
 
 /* The folder of the scripts: beside the program's build folder, or installed. NULL if absent. */
 static char *plots_folder(void)
@@ -134,10 +138,10 @@ static int draw(const char *set, const char *script, const char *part, const cha
                      line[0] ? line : "gnuplot drew nothing");
 }
 
-static int draw_format(const Study *study, const char *dir, const char *plots, const char *format,
-                       Fault *fault)
+static int draw_format(const Study *study, const char *dir, const char *plots, int k, Fault *fault)
 {
-    char *script = text_of("%s/%s.gp", plots, study->name);
+    const char *format = formats[k].name;
+    char *script = text_of("%s/%s%s", plots, study->name, formats[k].script);
     char *csv = text_of("%s/%s.csv", dir, study->name);
     char *whole = text_of("%s/%s.%s", dir, study->name, format);
     char *part = text_of("%s.tmp", whole);
@@ -188,21 +192,25 @@ static double newest_input(const char *dir, const char *name)
     return newest;
 }
 
-static bool is_fresh(const Study *study, const char *dir, const char *plots)
+/* Must this format be drawn? */
+static bool is_due(const Study *study, const char *dir, const char *plots, int k)
 {
-    double inputs = fmax(age(plots, study->name, ".gp"), age(plots, "style", ".gp"));
-    inputs = fmax(inputs, newest_input(dir, study->name));
-    return age(dir, study->name, ".svg") > inputs && age(dir, study->name, ".png") > inputs;
+    const double script = age(plots, study->name, formats[k].script);
+    const double inputs =
+        fmax(fmax(script, age(plots, "style", ".gp")), newest_input(dir, study->name));
+    char *ending = text_of(".%s", formats[k].name);
+    const bool fresh = age(dir, study->name, ending) > inputs;
+    free(ending);
+    return (script > 0 || formats[k].always) && !fresh;
 }
 
 int plot_study(const Study *study, const char *dir, Fault *fault)
 {
     char *plots = plots_folder(), folder[PATH_MAX];
     int code = 0;
-    if (plots && age(plots, study->name, ".gp") > 0 && realpath(dir, folder) &&
-        !is_fresh(study, folder, plots))
+    if (plots && age(plots, study->name, ".gp") > 0 && realpath(dir, folder))
         for (int k = 0; k < FORMATS && code == 0; k++)
-            code = draw_format(study, folder, plots, formats[k], fault);
+            if (is_due(study, folder, plots, k)) code = draw_format(study, folder, plots, k, fault);
     free(plots);
     return code;
 }

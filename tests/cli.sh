@@ -3,6 +3,7 @@
 # Writes below FOLDER only. Prints what failed, then "N passed, N failed"; status 1 if any did.
 set -u
 program=$(realpath "$1")
+here=$(realpath "$(dirname "$0")")
 mkdir -p "$2"
 work=$(mktemp -d "$(realpath "$2")/cli.XXXXXX")
 trap 'rm -rf "$work"' EXIT
@@ -204,6 +205,26 @@ ok "a line a claim" test "$(lines out)" -eq $(($(lines a/claims.csv) - 1))
 sed -i '2s/mpm/mpn/' a/$study.csv
 run claims --out a
 ok "a table that was edited is not judged" grep -q '^NOT_RUN.*not the one' out
+
+# Snapshots, opened by VTK's own reader
+/usr/bin/python3 -c 'import vtkmodules.vtkIOXML' 2>/dev/null && vtk=1 || vtk=0
+[ $vtk = 1 ] || echo "SKIPPED reading snapshots: no VTK for /usr/bin/python3 (make deps-extra)"
+vtk_read() { /usr/bin/python3 "$here/vtk_read.py" "$@" >read 2>&1; }
+for method in gimp fem wls2; do
+    run run disk_impact --method $method --cells 16 --vtk snap/$method --every 40 --particles last.csv --samples all.csv
+    ok "--vtk $method: $(cat err)" test "$status" -eq 0 -a -s snap/$method/particles.pvd
+    [ $method = fem ] || ok "samples of $method are its particles" cmp -s last.csv all.csv
+    [ $vtk = 1 ] && ok "VTK reads what $method wrote" vtk_read snap/$method last.csv
+done
+if [ $vtk = 1 ]; then
+    ok "VTK finds cut cells" grep -q '^cells.*cut.1.=0..1' read
+    last=$(ls snap/wls2/particles_*.vtp | tail -n 1)
+    sed -i '/Name="mass"/s/offset="[0-9]*"/offset="0"/' "$last"
+    ok "a wrong offset is noticed" bash -c '! /usr/bin/python3 "$0"/vtk_read.py snap/wls2 last.csv >/dev/null' "$here"
+    head -c 3000 "$last" >short && mv short "$last"
+    ok "a torn file is noticed" bash -c '! /usr/bin/python3 "$0"/vtk_read.py snap/wls2 >/dev/null' "$here"
+fi
+refused "--vtk below a file" 1 "t.csv" run disk_impact --vtk t.csv/x
 
 ok "nothing half written is left" test -z "$(find . -name '*.tmp')"
 echo "$passed passed, $failed failed"
