@@ -31,7 +31,7 @@ HEADERS    = $(wildcard */*.h) $(wildcard */*.def)
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 
-.PHONY: all deps deps-extra test figures bench san lint fuzz clean force
+.PHONY: all deps deps-extra test figures bench san lint fuzz fuzzers clean force
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -76,6 +76,7 @@ figures: all
 # The tests write below build/ only; CUnit's summary comes last.
 CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
 UNIT_TESTS  = $(BUILD)/tests/tools
+FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/%.o,fuzz_run fuzz_files fuzz_tools)
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 
 $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
@@ -96,6 +97,23 @@ lint:
 san:
 	$(MAKE) BUILD=$(BUILD)/san ARCH= OPT='-O1 -fno-omit-frame-pointer' \
 	  SAN=-fsanitize=address,undefined test
+
+# Bytes that break a property of what reads input: SECONDS for each; corpora stay in build/fuzz.
+FUZZERS = run set case journal table append
+SECONDS = 60
+
+fuzz:
+	SECONDS_EACH=$(SECONDS) bash tests/fuzz.sh $(BUILD)/fuzz $(FUZZERS)
+
+# make fuzzers BUILD=... CC=clang SAN=...: the programs alone (fuzz.sh asks for them)
+fuzzers: all $(FUZZERS:%=$(BUILD)/tests/fuzz_%)
+
+$(BUILD)/tests/fuzz_main_%.o: tests/fuzz_main.c $(HEADERS) Makefile
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -DFUZZ=fuzz_$* -c -o $@ $<
+
+$(FUZZERS:%=$(BUILD)/tests/fuzz_%): $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_main_%.o $(FUZZ_OBJECTS) $(TEST_OBJECTS)
+	$(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
 
 deps:
 	@bash tests/deps.sh gcc make binutils libc6-dev libgsl-dev libjansson-dev zlib1g-dev \

@@ -30,7 +30,9 @@ static size_t record_at(const char *text, size_t n)
     size_t length = strtoul(text, NULL, 10);
     if (length >= n - HEAD || text[HEAD + length] != '\n') return 0;
     if (strtoul(text + 9, NULL, 16) != checksum(text + HEAD, length)) return 0;
-    return memchr(text + HEAD, '\t', length) ? HEAD + length + 1 : 0;
+    const char *body = text + HEAD; /* one line of text, a tab behind the key */
+    if (memchr(body, '\n', length) || memchr(body, '\0', length)) return 0;
+    return memchr(body, '\t', length) ? HEAD + length + 1 : 0;
 }
 
 static int by_key(const void *a, const void *b)
