@@ -1,21 +1,13 @@
 /* main.c: mpmlab's front door: finds the command, prints its one line of failure. */
 #include <errno.h>
-#include <signal.h>
 #include <string.h>
-#include <unistd.h>
 #include "cli.h"
 #include "facts.h"
+#include "signals.h"
 
 static const Command *const commands[] = {&list_command, &describe_command, &run_command,
                                           &study_command, &claims_command};
 enum { COMMANDS = sizeof commands / sizeof *commands };
-
-/* Files appear whole, so there is nothing to clean up. */
-static void interrupted(int number)
-{
-    (void)number;
-    _exit(EXIT_INTERRUPTED);
-}
 
 static int print_help(void)
 {
@@ -67,8 +59,7 @@ static int dispatch(int argc, char **argv, Fault *fault)
 int main(int argc, char **argv)
 {
     Fault fault = {0};
-    signal(SIGINT, interrupted);
-    signal(SIGTERM, interrupted);
+    signals_start();
     int status = dispatch(argc, argv, &fault);
     errno = 0;
     if ((fflush(stdout) != 0 || ferror(stdout)) && status != FAULT_USAGE)
