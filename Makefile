@@ -31,7 +31,7 @@ HEADERS    = $(wildcard */*.h) $(wildcard */*.def)
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 
-.PHONY: all deps deps-extra test figures bench san lint fuzz fuzzers clean force
+.PHONY: all deps deps-extra test figures bench san lint faults fuzz fuzzers clean force
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -75,6 +75,8 @@ figures: all
 
 # The tests write below build/ only; CUnit's summary comes last.
 CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
+WRONG_TEST  = bash tests/wrong_inputs.sh $(BUILD)/mpmlab $(BUILD)/tests
+FAULT_TEST  = bash tests/faults.sh $(BUILD)/mpmlab $(BUILD)/tests
 UNIT_TESTS  = $(BUILD)/tests/tools
 FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/%.o,fuzz_run fuzz_files fuzz_tools)
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
@@ -83,11 +85,15 @@ $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -c -o $@ $<
 
-$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files test_study check) $(TEST_OBJECTS)
+$(BUILD)/tests/test_found.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/found"'
+$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files test_study test_found check) \
+  $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 
 test: all $(UNIT_TESTS)
 	$(CLI_TEST)
+	$(WRONG_TEST)
+	$(FAULT_TEST)
 	@for t in $(UNIT_TESTS); do (cd $(BUILD)/tests && $(CURDIR)/$$t) || exit 1; done
 
 lint:
@@ -97,6 +103,10 @@ lint:
 san:
 	$(MAKE) BUILD=$(BUILD)/san ARCH= OPT='-O1 -fno-omit-frame-pointer' \
 	  SAN=-fsanitize=address,undefined test
+
+# All faults, a hundred kills among them (minutes).
+faults: all
+	$(FAULT_TEST) 100 long
 
 # Bytes that break a property of what reads input: SECONDS for each; corpora stay in build/fuzz.
 FUZZERS = run set case journal table append

@@ -78,6 +78,7 @@ static int replace(Journal *j, FILE *f, const char *path, Fault *fault)
 int journal_compact(Journal *j, const char *path, const char *program, Fault *fault)
 {
     struct stat s;
+    if (journal_reload(j, path, fault)) return FAULT_MACHINE;
     const size_t bytes = sizeof(Record) * (size_t)(j->n + 1);
     if (j->n == 0 || fstat(j->fd, &s) != 0) return 0;
     FILE *f = file_begin(path, fault);
