@@ -31,7 +31,7 @@ HEADERS    = $(wildcard */*.h) $(wildcard */*.def)
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 
-.PHONY: all deps deps-extra test figures bench san lint faults fuzz fuzzers clean force
+.PHONY: all deps deps-extra test figures bench san lint faults install uninstall builds repeat memcheck coverage fuzz fuzzers clean force
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -94,6 +94,7 @@ test: all $(UNIT_TESTS)
 	$(CLI_TEST)
 	$(WRONG_TEST)
 	$(FAULT_TEST)
+	bash tests/install.sh $(BUILD) $(BUILD)/tests
 	@for t in $(UNIT_TESTS); do (cd $(BUILD)/tests && $(CURDIR)/$$t) || exit 1; done
 
 lint:
@@ -103,6 +104,11 @@ lint:
 san:
 	$(MAKE) BUILD=$(BUILD)/san ARCH= OPT='-O1 -fno-omit-frame-pointer' \
 	  SAN=-fsanitize=address,undefined test
+	$(MAKE) fuzz SECONDS=2
+
+# What takes minutes, each ending in a line of counts.
+builds repeat memcheck coverage:
+	bash tests/$@.sh $(BUILD)/$@
 
 # All faults, a hundred kills among them (minutes).
 faults: all
@@ -124,6 +130,24 @@ $(BUILD)/tests/fuzz_main_%.o: tests/fuzz_main.c $(HEADERS) Makefile
 
 $(FUZZERS:%=$(BUILD)/tests/fuzz_%): $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_main_%.o $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
+
+# The program looks for its plots beside itself, in ../share.
+PREFIX  = /usr/local
+INSTALL = $(DESTDIR)$(PREFIX)
+SHARED  = $(INSTALL)/share/mpmlab
+MANUALS = $(INSTALL)/share/man/man1
+WORDS   = $(INSTALL)/share/bash-completion/completions
+
+install: all
+	install -D -m 755 $(BUILD)/mpmlab "$(INSTALL)/bin/mpmlab"
+	install -d "$(SHARED)/plots" "$(MANUALS)" "$(WORDS)"
+	install -m 644 plots/*.gp "$(SHARED)/plots"
+	$(BUILD)/mpmlab --man > "$(MANUALS)/mpmlab.1"
+	$(BUILD)/mpmlab --completion > "$(WORDS)/mpmlab"
+
+uninstall:
+	rm -f "$(INSTALL)/bin/mpmlab" "$(MANUALS)/mpmlab.1" "$(WORDS)/mpmlab"
+	rm -rf "$(SHARED)"
 
 deps:
 	@bash tests/deps.sh gcc make binutils libc6-dev libgsl-dev libjansson-dev zlib1g-dev \
