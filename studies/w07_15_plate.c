@@ -68,16 +68,34 @@ static void check_ratios(Check *c, const Table *rows)
               expected[k] + 0.05);
 }
 
-/* The least order between meshes a factor of two apart, 1/8 to 1/32. */
-static double least_order(const Curve *by_cells)
+/* The least order of so many pairs of meshes a factor of two apart, from 1/8 on. */
+static double least_order(const Curve *by_cells, int pairs)
 {
     double least = INFINITY;
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < pairs; k++) {
         double coarse = curve_at(by_cells, 8 << k), fine = curve_at(by_cells, 16 << k);
         double order = log2(coarse / fine);
         least = order >= least ? least : order;
     }
     return least;
+}
+
+/* At a tenth of the amplitude the floor pi A/4 is reached on the finest meshes only. */
+static void check_orders(Check *c, const Table *rows)
+{
+    static const char *const why =
+        "the floor pi A/4 = 3.1e-4 is within reach from 1/64 on; up to 1/32 the orders hold";
+    Curve gimp, ge;
+    pick(&gimp, rows, "cells", 1, "0.0004", "neo_hookean");
+    pick(&ge, rows, "cells", 2, "0.0004", "neo_hookean");
+    claim(c, "W07-15.gimp-order",
+          "second order at a tenth of the amplitude, 1/8 to 1/32: least order of GIMP",
+          least_order(&gimp, 2), 1.85, 2.2);
+    claim(c, "W07-15.ge-gimp-order", "and of GE-GIMP", least_order(&ge, 2), 1.85, 2.2);
+    claim_differs(c, "W07-15.gimp-order-fine", "the same on all meshes to 1/128: GIMP",
+                  least_order(&gimp, 4), 1.85, 2.2, 1.2, 1.4, why);
+    claim_differs(c, "W07-15.ge-gimp-order-fine", "and GE-GIMP", least_order(&ge, 4), 1.85, 2.2,
+                  0.9, 1.1, why);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
@@ -86,17 +104,11 @@ static void check(Check *c, const Table *rows, const char *dir)
     (void)dir;
     check_values(c, rows);
     check_ratios(c, rows);
-    pick(&curve, rows, "cells", 1, "0.0004", "neo_hookean");
-    claim(c, "W07-15.gimp-order",
-          "second order at a tenth of the amplitude, 1/8 to 1/32: least order of GIMP",
-          least_order(&curve), 1.85, 2.2);
-    pick(&curve, rows, "cells", 2, "0.0004", "neo_hookean");
-    claim(c, "W07-15.ge-gimp-order", "and of GE-GIMP", least_order(&curve), 1.85, 2.2);
+    check_orders(c, rows);
     pick(&curve, rows, "cells", 2, "0.004", "linear");
     claim(c, "W07-15.floor",
           "the tail-off is due to conditions at fixed nodes on moving edges: GE-GIMP's error at "
-          "1/128 "
-          "with an exactly linear law, over pi A/4",
+          "1/128 with an exactly linear law, over pi A/4",
           curve_at(&curve, 128) / (M_PI * 0.004 / 4), 0.9, 1.1);
 }
 

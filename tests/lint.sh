@@ -58,5 +58,21 @@ for compiler in gcc clang; do
     make -s -k -j "$(nproc)" CC=$compiler BUILD="$BUILD/$compiler" OMP= all >"$BUILD.log" 2>&1 ||
         { complain "$compiler"; head -n 40 "$BUILD.log"; }
 done
+# Calls through pointers: one a stage and chunk, none a particle. The loops over particles hold none at all.
+stages() { # object, how many calls through pointers its stages make
+    local found
+    found=$(objdump -d "$1" | grep -cE 'call +\*')
+    [ "$found" -le "$2" ] || complain "$1: $found indirect calls, at most $2 stages of a chunk"
+}
+if [ -d "$BUILD/gcc/d2" ]; then
+    for object in "$BUILD"/gcc/d[12]/methods/*.o "$BUILD"/gcc/d[12]/common/{material,solve,mirror}.o; do
+        stages "$object" 0
+    done
+    for d in 1 2; do
+        stages "$BUILD/gcc/d$d/common/deposit.o" 5 # width, shape of two axes, payload, body force
+        stages "$BUILD/gcc/d$d/common/gather.o" 7  # width and shapes twice (filters), update
+    done
+fi
+
 [ $wrong -eq 0 ] && echo "lint: clean"
 exit $wrong

@@ -1,0 +1,19 @@
+# What a particle-step costs: bars of the step loop's CPU time, beside what the machine could do at best.
+tall = 0.95
+load plots.'/style.gp'
+set style fill solid 0.85 noborder
+set style data boxes
+set boxwidth 0.62
+set grid noytics xtics
+set yrange [*:*] reverse
+set logscale x
+set xrange [3:1000]
+set xlabel 'CPU time of one particle-step (FEM: element-step) [ns]'
+set label 1 heading('Speed of the step loop, one core') at graph 0, graph 1.06
+set lmargin 20
+unset key
+bar = 0.31
+colour(c) = c[1:5] eq 'bound' ? 0x999999 : c eq 'twin' ? 0xD55E00 : c[1:3] eq 'fem' ? 0x000000 : 0x0072B2
+plot csv skip 1 using (3):0:(3):3:($0 - bar):($0 + bar):(colour(strcol(1))):ytic(1) \
+         with boxxyerror lc rgb variable, \
+     csv skip 1 using 3:0:(sprintf(' %.3g', $3)) with labels left offset 0.3, 0
