@@ -183,7 +183,7 @@ deps:
 	  libcunit1-dev gnuplot-nox fonts-dejavu-core
 
 deps-extra:
-	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind libclang-rt-14-dev libomp-14-dev
+	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind shellcheck libclang-rt-14-dev libomp-14-dev
 
 clean:
 	rm -rf $(BUILD)

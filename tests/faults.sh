@@ -188,6 +188,11 @@ fi
 # No terminal, closed streams, signals that the parent ignored
 setsid "$program" study $few --quick --out alone </dev/null >out 2>err
 ok "no terminal: $(cat err)" test $? -eq 0 -a ! -s out -a ! -s err
+if command -v script >/dev/null; then
+    script -qec "'$program' study $many --out terminal --jobs 2" /dev/null </dev/null >out
+    ok "a terminal shows progress" grep -qE "$many \[[# ]+\] [0-9]+/$all" out
+    ok "and gets the same table" same whole/$many.csv terminal/$many.csv
+fi
 "$program" study $few --quick --out closed0 <&- >&- 2>&-
 ok "all streams closed" same whole/quick/$few.csv closed0/quick/$few.csv
 ok "and no message is in the journal" cmp -s <(keys whole/quick/$few.rows) <(keys closed0/quick/$few.rows)
@@ -199,6 +204,13 @@ ok "the row is in the table" test "$(lines t.csv)" -eq 2
 ok "standard error closed" test $? -eq 2 -a ! -e t2.csv
 timeout 60 env --ignore-signal=CHLD "$program" study $few --quick --out ignored --jobs 2 2>err
 ok "SIGCHLD ignored by the parent: $(cat err)" same whole/quick/$few.csv ignored/quick/$few.csv
+
+"$program" run free_block --cells 200 --set steps=100000 >out 2>err &
+sleep 0.3
+kill -INT $!
+wait $!
+status=$?
+failed_well "SIGINT to a run" 130 "interrupted"
 
 # Decimal commas
 ok "setlocale is not called" bash -c "! nm -D --undefined-only '$program' | grep -w setlocale"

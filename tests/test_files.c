@@ -97,6 +97,9 @@ static void test_file_commit(void)
     CU_ASSERT(file_commit(out, path, &f) == 0);
     CU_ASSERT(stat(path, &after) == 0 && after.st_size == 5);
     unlink(path);
+    CU_ASSERT(file_check(path, &f) == 0 && file_check("no-such-file-yet", &f) == 0);
+    CU_ASSERT(file_check("/nowhere/at/all", &f) == FAULT_MACHINE);
+    CU_ASSERT(file_check(".", &f) == FAULT_MACHINE && strstr(f.text, "directory"));
     CU_ASSERT_PTR_NULL(file_begin("/nowhere/at/all", &f));
     CU_ASSERT(f.code == FAULT_MACHINE && strstr(f.text, "/nowhere/at/all"));
 }
