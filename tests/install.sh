@@ -19,6 +19,6 @@ bash -n "$share/bash-completion/completions/mpmlab" || fail "no completion"
 if command -v gnuplot >/dev/null; then
     [ -s "$root/results/quick/w07_04_squeeze.svg" ] || fail "it does not find its plots"
 fi
-make -s uninstall BUILD="$build" DESTDIR="$root/a root" PREFIX=/usr || fail "uninstall"
+make -s uninstall BUILD="$build" DESTDIR="$root/a root" PREFIX=/usr >"$root/log" 2>&1 || fail "uninstall"
 [ -z "$(find "$root/a root" ! -type d)" ] || fail "uninstall leaves $(find "$root/a root" ! -type d | head -n 1)"
 echo "installed and uninstalled"
