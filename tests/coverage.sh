@@ -16,14 +16,13 @@ for problem in $("$program" list problems | cut -f 2); do
     for method in $("$program" list methods | cut -f 2); do
         for integrator in cd uvf musl usl usf; do
             "$program" run "$problem" --method "$method" --integrator $integrator --cells 8 --ppc 4 --set steps=3 \
-                --set allow_unstable=1 --nodes "$folder/n.csv" --history "$folder/h.csv" >/dev/null 2>&1
+                --set allow_unstable=1 --nodes "$folder/n.csv" --particles "$folder/p.csv" --history "$folder/h.csv" >/dev/null 2>&1
         done
     done
 done
-rm -rf "$folder/gcov"
-mkdir "$folder/gcov"
+"$program" study all --quick --out "$folder/out" >/dev/null 2>&1 # its checks use what pages share
 find "$folder" -name '*.gcno' ! -path '*/tests/*' | while read -r notes; do
-    (cd "$folder/gcov" && gcov -t -f "$notes" 2>/dev/null) # dimensions share sources: summed up below
+    gcov -t -b "$notes" 2>/dev/null # dimensions share sources: summed up below
 done >"$folder/all.gcov"
 awk -F: '$1 ~ /#####|=====|[0-9]/ && $2 ~ /[0-9]/ && $2 + 0 > 0 {
         key = file ":" $2; seen[key] = 1; if ($1 ~ /[0-9]/) run[key] = 1 }
