@@ -250,6 +250,9 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     l.shots = (Snapshots){.dir = own.vtk, .every = own.every};
     l.fault = fault;
     report_inputs(&own, &plan, row);
+    if ((spec->particles && file_check(spec->particles, fault)) ||
+        (spec->nodes && file_check(spec->nodes, fault)))
+        return FAULT_MACHINE;
     if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
     if (l.history) history_header(l.history);
     l.self = plan.solver->make(&plan.setup, fault);

@@ -128,6 +128,12 @@ static int take_number(RunSpec *spec, const struct Number *n, const char *got, F
 static int take_file(RunArgs *args, const struct File *f, const char *got, Fault *fault)
 {
     if (!*got) return fault_set(fault, FAULT_USAGE, "--%s: got '', takes a path", f->option);
+    for (const struct File *o = files; o < files + sizeof files / sizeof *files; o++) {
+        const char *taken = *(const char **)((char *)args + o->at);
+        if (taken && o != f && strcmp(taken, got) == 0)
+            return fault_set(fault, FAULT_USAGE, "--%s: got '%.80s', takes another path than --%s",
+                             f->option, got, o->option);
+    }
     *(const char **)((char *)args + f->at) = got;
     return 0;
 }

@@ -96,7 +96,21 @@ done
 run run squeeze --help --nonsense
 ok "help beats a wrong option" test "$status" -eq 0
 run --version
-ok "version" test "$status" -eq 0 -a "$(lines out)" -eq 3
+ok "version" test "$status" -eq 0 -a "$(lines out)" -eq 5
+ok "version knows its dimensions and OpenMP" grep -qE '^dimensions 1 2|^OpenMP ([0-9]+|none)$' out
+run --man
+ok "a manual page that troff takes" test "$(man --warnings -l -Tutf8 out 2>&1 >/dev/null | wc -l)" -eq 0
+run study --help
+cp out help
+run --man
+while read -r option _ ; do
+    ok "$option is in the manual" grep -qF -- "${option//-/\\-}" out
+done < <(grep -oE -- '--[a-z-]+' help)
+run --completion
+completed() { bash -c "PATH=$(dirname "$program"):\$PATH; source ./out; COMP_WORDS=($1); COMP_CWORD=$2; _mpmlab; echo \${COMPREPLY[*]}"; }
+ok "completion of a command" test "$(completed 'mpmlab des' 1)" = describe
+ok "completion of an option" test "$(completed 'mpmlab run --cel' 2)" = --cells
+ok "completion of a method" test "$(completed 'mpmlab run bar --method ge_g' 4)" = ge_gimp
 
 # run
 run run squeeze --cells 50 --method mpm --set field=quadratic
