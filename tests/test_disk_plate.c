@@ -156,7 +156,7 @@ static void run_block(const Method *method, bool releases, double speed, int ste
     Setup setup = {.scene = &s,
                    .method = method,
                    .method_par = par,
-                   .integrator = method->integrator[DIM],
+                   .integrator = (Integrator)method->integrator[DIM],
                    .cells = 16,
                    .ppc = 4,
                    .fitted = method->surface,
