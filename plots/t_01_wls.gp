@@ -18,7 +18,7 @@ from_wls2(x) = strcol('method') eq 'wls2' ? off('normals', 'exact', 'extrapolate
 one(count, s) = count == 1 && has(s) ? column('cells') : NaN
 
 set label 1 heading('(a) WLS as published, one change at a time') at graph 0, graph 1.05
-set key at screen 0.09, screen 0.24 left top maxrows 4 samplen 2.2 width 1
+set key at screen 0.09, screen 0.24 left top maxrows 7 samplen 2.2 width 1
 plot csv using (from_wls(0) == 0 ? column('cells') : NaN):'error_linf' with linespoints ls style('wls') lw 2.2 title label('wls'), \
      csv using (one(from_wls(0), 'distance=normals')):'error_linf' with linespoints ls 1 title 'distance by normals', \
      csv using (one(from_wls(0), 'quadrature=exact')):'error_linf' with linespoints ls 2 title 'exact cut cells', \
@@ -30,7 +30,7 @@ plot csv using (from_wls(0) == 0 ? column('cells') : NaN):'error_linf' with line
 set label 1 heading('(b) WLS2, one cure taken back')
 unset ylabel
 set format y ''
-set key at screen 0.56, screen 0.24 left top maxrows 4
+set key at screen 0.56, screen 0.24 left top maxrows 7
 plot csv using (from_wls2(0) == 0 ? column('cells') : NaN):'error_linf' with linespoints ls style('wls2') lw 2.2 title label('wls2'), \
      csv using (one(from_wls2(0), 'distance=weighted_mean')):'error_linf' with linespoints ls 1 title 'distance to the mean', \
      csv using (one(from_wls2(0), 'quadrature=centroid')):'error_linf' with linespoints ls 2 title 'one point in cut cells', \
