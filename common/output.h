@@ -3,6 +3,7 @@
 #define MPMLAB_OUTPUT_H
 
 #include <stdio.h>
+#include "norm.h"
 #include "run.h"
 
 /* One instant of a run. */
@@ -19,6 +20,10 @@ void history_line(FILE *out, const Moment *m);
 /* All points in placement order. 0 or a fault (1: memory, disk). */
 int write_particles(const char *path, const Scene *scene, const Solver *solver, const void *self,
                     Fault *fault);
+
+/* What the norms of that instant are made of, in placement order: id,X,Y,error,weight. */
+int write_errors(const char *path, const Scene *scene, const Points *p, double t, Scratch *s,
+                 Fault *fault);
 
 /* Live nodes with their velocities: id,x,y,mass,vx,vy. */
 int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault);

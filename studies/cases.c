@@ -81,6 +81,8 @@ static void set_outputs(Cases *cases)
             c->spec.particles = c->file;
         else if (strcmp(c->kind, "nodes") == 0)
             c->spec.nodes = c->file;
+        else if (strcmp(c->kind, "errors") == 0)
+            c->spec.errors = c->file;
         else
             fault_set(&cases->fault, FAULT_USAGE, "case file of unknown kind '%s'", c->kind);
     }

@@ -17,6 +17,7 @@ const Option run_options[] = {
     {"history", "FILE", "write energies and errors of every step"},
     {"particles", "FILE", "write the particles at the end"},
     {"nodes", "FILE", "write the grid nodes at the end"},
+    {"errors", "FILE", "write every point's error at the end"},
     {"vtk", "DIR", "write snapshots into DIR"},
     {"every", "K", "steps between snapshots"},
     {"quiet", NULL, "no messages"},
@@ -42,11 +43,9 @@ static const struct File {
     const char *option;
     size_t at;
 } files[] = {
-    {"history", offsetof(RunArgs, spec.history)},
-    {"particles", offsetof(RunArgs, spec.particles)},
-    {"nodes", offsetof(RunArgs, spec.nodes)},
-    {"vtk", offsetof(RunArgs, spec.vtk)},
-    {"csv", offsetof(RunArgs, csv)},
+    {"history", offsetof(RunArgs, spec.history)}, {"particles", offsetof(RunArgs, spec.particles)},
+    {"nodes", offsetof(RunArgs, spec.nodes)},     {"errors", offsetof(RunArgs, spec.errors)},
+    {"vtk", offsetof(RunArgs, spec.vtk)},         {"csv", offsetof(RunArgs, csv)},
 };
 
 enum { MOST_NAMES = 64 };
