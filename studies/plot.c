@@ -134,10 +134,15 @@ static int draw(const char *set, const char *script, const char *part, const cha
                      line[0] ? line : "gnuplot drew nothing");
 }
 
+static const char *script_name(const Study *study)
+{
+    return study->script ? study->script : study->name;
+}
+
 static int draw_format(const Study *study, const char *dir, const char *plots, const char *format,
                        Fault *fault)
 {
-    char *script = text_of("%s/%s.gp", plots, study->name);
+    char *script = text_of("%s/%s.gp", plots, script_name(study));
     char *csv = text_of("%s/%s.csv", dir, study->name);
     char *whole = text_of("%s/%s.%s", dir, study->name, format);
     char *part = text_of("%s.tmp", whole);
@@ -190,7 +195,7 @@ static double newest_input(const char *dir, const char *name)
 
 static bool is_fresh(const Study *study, const char *dir, const char *plots)
 {
-    double inputs = fmax(age(plots, study->name, ".gp"), age(plots, "style", ".gp"));
+    double inputs = fmax(age(plots, script_name(study), ".gp"), age(plots, "style", ".gp"));
     inputs = fmax(inputs, newest_input(dir, study->name));
     return age(dir, study->name, ".svg") > inputs && age(dir, study->name, ".png") > inputs;
 }
@@ -199,7 +204,7 @@ int plot_study(const Study *study, const char *dir, Fault *fault)
 {
     char *plots = plots_folder(), folder[PATH_MAX];
     int code = 0;
-    if (plots && age(plots, study->name, ".gp") > 0 && realpath(dir, folder) &&
+    if (plots && age(plots, script_name(study), ".gp") > 0 && realpath(dir, folder) &&
         !is_fresh(study, folder, plots))
         for (int k = 0; k < FORMATS && code == 0; k++)
             code = draw_format(study, folder, plots, formats[k], fault);
