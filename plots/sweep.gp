@@ -12,13 +12,15 @@ stats orders_ using (TITLE[int(column('series')) + 1] = strcol('curve'), \
 set datafile missing NaN
 set logscale y
 set format y '10^{%T}'
-if (x_log) { set logscale x }
 set xlabel x_name noenhanced
 set ylabel y_name noenhanced
 set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
+if (x_log) { set logscale x }
+set autoscale xfix
+if (x_tics ne '') { eval 'set xtics ('.x_tics.')' }
 set key below maxcols 2 noenhanced
-set label 1 heading('Sweep of '.problem[1:1].problem[2:]) at graph 0, graph 1.06 noenhanced
-set label 1 'Sweep of '.problem.': '.y_name.' over '.x_name
+set label 1 'Sweep of '.problem.': '.y_name.' over '.x_name at graph 0, graph 1.06 noenhanced \
+    font 'DejaVu Sans Bold,'.(fmt eq 'png' ? 18 : 12)
 says(k) = TITLE[k].(strlen(ORDER[k]) ? (x_name eq 'cells' ? ', order ' : ', slope ').minus(sprintf('%.2f', real(ORDER[k]))) : '')
 of(k) = int(column('series')) == k - 1 && (strcol('status') eq 'ok' || strcol('status') eq 'energy_growth') ? column(2) : NaN
 lost(k) = int(column('series')) == k - 1 && strcol('status') ne 'ok' && strcol('status') ne 'energy_growth' ? column(2) : NaN

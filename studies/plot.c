@@ -25,8 +25,7 @@ enum { SECONDS = 120, TICKS = 200 /* a second */ };
 static const char *const formats[] = {"svg", "png"};
 enum { FORMATS = 2 };
 
-/* The folder of the scripts: beside the program's build folder, or installed. NULL if absent. */
-static char *plots_folder(void)
+char *plots_folder(void)
 {
     static const char *const places[] = {"../plots", "../../plots", "../share/mpmlab/plots"};
     char self[PATH_MAX], found[PATH_MAX];

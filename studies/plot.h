@@ -6,6 +6,10 @@
 
 enum { PLOT_NO_GNUPLOT = -1 };
 
+/* The folder of scripts and page.html: beside the program's build folder, or installed; owned by
+ * the caller. NULL if absent. */
+char *plots_folder(void);
+
 /* Draws dir/NAME.svg and .png with plots/NAME.gp if they are older than what they are made from.
  * 0 (also if the study has no script), PLOT_NO_GNUPLOT, or a fault: the script failed. */
 int plot_study(const Study *study, const char *dir, Fault *fault);

@@ -6,6 +6,8 @@
 #include "../common/info.h"
 #include "pages.h"
 
+enum { MOST_TICS = 12 };
+
 static bool is_numeric(const List *list)
 {
     double x;
@@ -158,8 +160,11 @@ static int write_names(const Curves *c, const char *path, Fault *fault)
 {
     FILE *f = file_begin(path, fault);
     if (!f) return FAULT_MACHINE;
-    fprintf(f, "problem = '%s'\nx_name = '%s'\ny_name = '%s'\nx_log = %d\n", c->sweep->problem,
-            c->x, c->y, is_wide(c));
+    fprintf(f, "problem = '%s'\nx_name = '%s'\ny_name = '%s'\nx_log = %d\nx_tics = '",
+            c->sweep->problem, c->x, c->y, is_wide(c));
+    for (int row = 0; row < c->length && c->sweep->across >= 0 && c->length <= MOST_TICS; row++)
+        number(f, x_of(c, row), row + 1 < c->length ? ", " : "");
+    fputs("'\n", f);
     return file_commit(f, path, fault);
 }
 
