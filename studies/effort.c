@@ -2,7 +2,6 @@
 #include "effort_points.h"
 
 #include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include "memory.h"
@@ -59,16 +58,22 @@ static Effort point(const Table *t, int row, int repeats, const Table *bench)
     return e;
 }
 
-/* Is there a usable point of the same problem (and method) that costs no more and errs no more? */
-static bool is_beaten(const Efforts *all, const Effort *e, size_t cost, bool by_method)
+typedef enum Price { BY_TIME, BY_WORK } Price;
+
+static double price(const Effort *e, Price by)
 {
-    const double mine = *(const double *)((const char *)e + cost);
+    return by == BY_TIME ? e->cpu : e->work;
+}
+
+/* Is there a usable point of the same problem (and method) that costs no more and errs no more? Of
+ * equals the last one stays. */
+static bool is_beaten(const Efforts *all, const Effort *e, Price by, bool by_method)
+{
     for (const Effort *o = all->list; o < all->list + all->n; o++) {
-        const double other = *(const double *)((const char *)o + cost);
         if (o == e || !o->usable || strcmp(o->problem, e->problem) != 0) continue;
         if (by_method && strcmp(o->method, e->method) != 0) continue;
-        const bool same = other >= mine && o->error >= e->error;
-        if (other <= mine && o->error <= e->error && !(same && o > e)) return true;
+        const bool same = price(o, by) >= price(e, by) && o->error >= e->error;
+        if (price(o, by) <= price(e, by) && o->error <= e->error && (!same || o > e)) return true;
     }
     return false;
 }
@@ -77,10 +82,10 @@ static void mark_fronts(Efforts *all)
 {
     for (Effort *e = all->list; e < all->list + all->n; e++) {
         if (!e->usable) continue;
-        e->front = !is_beaten(all, e, offsetof(Effort, cpu), false);
-        e->front_work = !is_beaten(all, e, offsetof(Effort, work), false);
-        e->front_own = !is_beaten(all, e, offsetof(Effort, cpu), true);
-        e->front_own_work = !is_beaten(all, e, offsetof(Effort, work), true);
+        e->front = !is_beaten(all, e, BY_TIME, false);
+        e->front_work = !is_beaten(all, e, BY_WORK, false);
+        e->front_own = !is_beaten(all, e, BY_TIME, true);
+        e->front_own_work = !is_beaten(all, e, BY_WORK, true);
     }
 }
 

@@ -6,8 +6,8 @@
 #include "cli.h"
 #include "facts.h"
 
-static const Command *const commands[] = {&list_command, &describe_command, &run_command,
-                                          &study_command, &sweep_command, &claims_command};
+static const Command *const commands[] = {&list_command,  &describe_command, &run_command,
+                                          &study_command, &sweep_command,    &claims_command};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 /* Files appear whole, so there is nothing to clean up. */

@@ -112,6 +112,8 @@ static void card(const Page *page, const Study *s, const char *command)
     sidecar(page, s->name);
     fputs("<p class=\"soft\">Data: ", page->f);
     link_to(page, s->name, "csv");
+    link_to(page, s->name, "points.csv");
+    link_to(page, s->name, "reach.csv");
     link_to(page, s->name, "json");
     link_to(page, s->name, "svg");
     link_to(page, s->name, "png");
