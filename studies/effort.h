@@ -8,7 +8,7 @@
  * NAME.reach.csv: the CPU time and work with which a method at its best reaches a target, by
  * straight lines between meshes in log-log. `how`: reached; below (its coarsest mesh is better:
  * at most so much); extrapolated (from its two finest meshes, at most twice as fine, where
- * these still converge); never. */
+ * these converge with at least three quarters of the order before); never. */
 #ifndef MPMLAB_EFFORT_H
 #define MPMLAB_EFFORT_H
 

@@ -5,7 +5,7 @@
 
 enum { TARGETS = 3 };
 static const double targets[TARGETS] = {1e-3, 3e-4, 1e-4};
-static const double least_order = 0.5, most_finer = 2; /* of an extrapolation */
+static const double least_order = 0.5, least_kept = 0.75, most_finer = 2; /* of an extrapolation */
 
 typedef enum How { REACHED, BELOW, EXTRAPOLATED, NEVER } How;
 static const char *const how_names[] = {"reached", "below", "extrapolated", "never"};
@@ -41,27 +41,35 @@ static Cost between(const Effort *a, const Effort *b, double target, How how)
                   b};
 }
 
-/* What lies beyond the two finest meshes a and b, if they converge and it is not too far. */
-static Cost beyond(const Effort *a, const Effort *b, double target)
+static double order(const Effort *a, const Effort *b)
 {
-    const double order = -log(b->error / a->error) / log(b->cells / a->cells);
-    if (order >= least_order && pow(b->error / target, 1 / order) <= most_finer)
-        return between(a, b, target, EXTRAPOLATED);
-    return (Cost){.how = NEVER, .options = b};
+    return -log(b->error / a->error) / log(b->cells / a->cells);
+}
+
+/* What lies beyond the finest meshes (last two, or three, of e), if they converge, do not flatten
+ * out, and it is not too far. */
+static Cost beyond(const Effort *const e[3], double target)
+{
+    const double p = e[1] ? order(e[1], e[2]) : 0, before = e[0] ? order(e[0], e[1]) : p;
+    if (p >= least_order && p >= least_kept * before &&
+        pow(e[2]->error / target, 1 / p) <= most_finer)
+        return between(e[1], e[2], target, EXTRAPOLATED);
+    return (Cost){.how = NEVER, .options = e[2]};
 }
 
 /* One series, from coarse to fine; lost runs are passed over. */
 static Cost series_cost(const Effort *first, int n, double target)
 {
-    const Effort *before = NULL, *last = NULL;
+    const Effort *last[3] = {NULL, NULL, NULL};
     for (const Effort *e = first; e < first + n; e++) {
         if (!e->usable) continue;
-        if (e->error <= target && last) return between(last, e, target, REACHED);
+        if (e->error <= target && last[2]) return between(last[2], e, target, REACHED);
         if (e->error <= target) return (Cost){BELOW, e->cells, e->cpu, e->work, e->instructions, e};
-        before = last;
-        last = e;
+        last[0] = last[1];
+        last[1] = last[2];
+        last[2] = e;
     }
-    return before ? beyond(before, last, target) : (Cost){.how = NEVER, .options = first};
+    return last[2] ? beyond(last, target) : (Cost){.how = NEVER, .options = first};
 }
 
 /* Reached or below beats extrapolated, which beats never; then the time decides. */

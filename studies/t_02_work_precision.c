@@ -46,12 +46,12 @@ static const Ladder ladders[] = {
     {&engine_2d,
      "plate_vibration --set A=.0004",
      {"1", "4", "9"},
-     {8, 16, 32, 64, 128},
+     {8, 16, 32, 48, 64, 128},
      {4, 4, 3},
-     5,
+     6,
      false,
      true},
-    {&engine_2d, "ring", {"1", "4", "9"}, {8, 16, 32, 64, 128}, {4, 4, 3}, 5, true, true},
+    {&engine_2d, "ring", {"1", "4", "9"}, {8, 16, 32, 48, 64, 128}, {4, 4, 3}, 6, true, true},
 };
 enum { LADDERS = sizeof ladders / sizeof *ladders };
 
