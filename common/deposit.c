@@ -1,4 +1,5 @@
 /* deposit.c: particles to nodes (passes.h). */
+#include <string.h>
 #include "passes.h"
 #include "scheme.h"
 
@@ -15,9 +16,12 @@ static void clear_row(Grid *g, int row)
 /* Stress of a chunk as momentum flux V0 J sigma / h [N], or none. */
 static void chunk_stress(const Sim *sim, const Chunk *c, bool force, Field T[NMAT])
 {
-    if (force) kirchhoff(&sim->setup->scene->mat, (const double *const *)c->F, T);
-    for (int k = 0; k < NMAT; k++)
-        for (int p = 0; p < CHUNK; p++) T[k][p] = force ? T[k][p] * c->V0[p] * sim->g.cells : 0;
+    Field weight;
+    for (int p = 0; p < CHUNK; p++) weight[p] = c->V0[p] * sim->g.cells;
+    if (force)
+        kirchhoff_weighted(&sim->setup->scene->mat, (const double *const *)c->F, weight, T);
+    else
+        memset(T, 0, sizeof(Field) * NMAT);
 }
 
 static void chunk_body(const Sim *sim, const Chunk *c, double t, Field body[DIM])

@@ -26,6 +26,10 @@ wave_speed_bound(const Material *m); /* sqrt((lambda + 3 mu)/rho), W11 eq 33: an
  * J <= 0 the result is NaN (neo-Hookean) or finite nonsense (linear): the caller checks J. */
 void kirchhoff(const Material *m, const double *const F[NMAT], Field T[NMAT]);
 
+/* The same times a weight per particle: V0/h makes it the momentum flux of a deposit. */
+void kirchhoff_weighted(const Material *m, const double *const F[NMAT], const double weight[CHUNK],
+                        Field T[NMAT]);
+
 /* Stored energy per reference volume psi [J/m^DIM] for n particles. */
 void stored_energy(const Material *m, int n, const double *const F[NMAT], double psi[]);
 

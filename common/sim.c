@@ -50,6 +50,21 @@ static bool grid_alloc(Sim *sim)
     return ok;
 }
 
+/* All fields in one piece, each nine cache lines further than a multiple of a page: the same chunk
+ * of all fields would else fall into the same few sets of the first-level cache. */
+static bool fields_alloc(Sim *sim)
+{
+    enum { PAGE = 4096 / sizeof(double), STAGGER = 9 * 64 / sizeof(double) };
+    Particles *p = &sim->p;
+    const size_t stride = ((size_t)p->room + PAGE - 1) / PAGE * PAGE + STAGGER;
+    size_t used = 0;
+    if (!(p->arena = get((FIELDS + 1) * stride, sizeof(double)))) return false;
+    p->spare = p->arena;
+    for (int f = 0; f < FIELDS; f++)
+        if (field_used(sim->setup, f)) p->field[f] = p->arena + ++used * stride;
+    return true;
+}
+
 /* Slots: every block of rows may need up to a chunk of padding. */
 static bool particles_alloc(Sim *sim)
 {
@@ -58,13 +73,11 @@ static bool particles_alloc(Sim *sim)
     p->room = (p->count + blocks * CHUNK + CHUNK - 1) / CHUNK * CHUNK;
     const size_t room = (size_t)p->room;
     bool ok = (sim->block = calloc((size_t)blocks, sizeof(Block))) != NULL;
-    for (int f = 0; f < FIELDS; f++)
-        if (field_used(sim->setup, f)) ok = (p->field[f] = get(room, sizeof(double))) && ok;
-    ok = (p->spare = get(room, sizeof(double))) && ok;
+    ok = fields_alloc(sim) && ok;
     ok = (p->id = get(room, sizeof(int))) && ok;
     ok = (p->order = get(room, sizeof(int))) && ok;
     ok = (p->source = get(room, sizeof(int))) && ok;
-    ok = (p->key = get(room, sizeof(int))) && ok;
+    for (int d = 0; d < DIM; d++) ok = (p->key[d] = get(room, sizeof(int))) && ok;
     return ok;
 }
 
@@ -238,8 +251,8 @@ void sim_free(Sim *sim)
     free(g->node), free(g->keep), free(g->lo), free(g->hi), free(g->live), free(g->impulse),
         free(g->count);
     free(g->force), free(g->mass), free(sim->block);
-    for (int f = 0; f < FIELDS; f++) free(p->field[f]);
-    free(p->spare), free(p->id), free(p->order), free(p->source), free(p->key);
+    free(p->arena), free(p->id), free(p->order), free(p->source);
+    for (int d = 0; d < DIM; d++) free(p->key[d]);
     free(sim);
 }
 

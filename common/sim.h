@@ -27,9 +27,10 @@ typedef struct Particles {
     int count;   /* real ones */
     int n, room; /* slots in use and allocated, multiples of CHUNK */
     double *field[FIELDS];
-    double *spare;             /* [room] for sorting */
-    int *id;                   /* [room] placement order; -1: padding */
-    int *order, *source, *key; /* [room] for sorting */
+    double *spare;                  /* [room] for sorting */
+    double *arena;                  /* owns all fields and the spare one */
+    int *id;                        /* [room] placement order; -1: padding */
+    int *order, *source, *key[DIM]; /* [room] for sorting */
 } Particles;
 
 /* Chunks [first, last) of one block of grid rows. Blocks of equal parity never touch a common node.
@@ -74,7 +75,7 @@ typedef struct Sim {
     double half_max;  /* widest half width that the stencils allow for, in cells */
     double half_plan; /* the one that the current order and spans were made for */
     double half_now;  /* widest now */
-    double key_shift;  /* particles are sorted by floor(x + this), in cells */
+    double key_shift; /* particles are sorted by floor(x + this), in cells */
     double travel;    /* farthest any particle may have moved since the last sort, in cells */
     double mass_cut;  /* nodes with less are empty [kg] */
     long nodes;       /* most live nodes so far */
