@@ -9,7 +9,7 @@ mkdir -p "$2"
 work=$(mktemp -d "$(realpath "$2")/cluster.XXXXXX")
 slurm=$work/slurm
 passed=0 failed=0
-study=(w07_13_sine_bar --quick --method gimp,ge_gimp)
+study=(w07_13_sine_bar --quick --method "gimp,ge_gimp")
 table=quick/w07_13_sine_bar.csv
 finish() {
     for name in slurmd slurmctld munged; do

@@ -12,7 +12,7 @@ for tool in chromedriver chromium curl; do
     command -v $tool >/dev/null || { echo "SKIPPED page.sh: no $tool"; exit 0; }
 done
 mkdir -p "$work"
-driver= session= passed=0 failed=0
+driver='' session='' passed=0 failed=0
 scratch=$(mktemp -d)
 finish() {
     [ -n "$session" ] && curl -s -X DELETE "$session" >/dev/null
