@@ -31,7 +31,8 @@ HEADERS    = $(wildcard */*.h) $(wildcard */*.def)
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 
-.PHONY: all deps deps-extra test figures bench san lint faults install uninstall builds repeat memcheck coverage fuzz fuzzers clean force
+.PHONY: all deps deps-extra test figures bench rank san lint faults install uninstall builds repeat memcheck \
+  coverage fuzz fuzzers clean force
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -121,6 +122,8 @@ test:
 	$(WRONG_TEST)
 	$(FAULT_TEST)
 	bash tests/install.sh $(BUILD) $(BUILD)/tests
+	bash tests/cluster.sh $(BUILD)/mpmlab $(BUILD)/tests
+	bash tests/page.sh $(BUILD)/mpmlab $(BUILD)/tests $(BUILD)/out
 	@for t in $(UNIT_TESTS); do (cd $(BUILD)/tests && OMP_WAIT_POLICY=passive $(CURDIR)/$$t) || exit 1; done
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
@@ -131,6 +134,10 @@ bench: all $(BUILD)/tests/bench
 $(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,bench twin twin_make) \
   $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+
+# Does a second run of the speed-against-error study rank the methods as the first did?
+rank: all
+	bash tests/rank.sh $(BUILD)/mpmlab $(BUILD)/tests
 
 lint:
 	BUILD=$(BUILD)/lint bash tests/lint.sh
@@ -189,8 +196,8 @@ deps:
 	  libcunit1-dev gnuplot-nox fonts-dejavu-core
 
 deps-extra:
-	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind shellcheck \
-	  libclang-rt-14-dev libomp-14-dev python3-vtk9 python3-numpy
+	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind shellcheck libclang-rt-14-dev \
+	  libomp-14-dev python3-vtk9 python3-numpy chromium chromium-driver curl parallel slurm-wlm munge
 
 clean:
 	rm -rf $(BUILD)
