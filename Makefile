@@ -183,7 +183,7 @@ WORDS   = $(INSTALL)/share/bash-completion/completions
 install: all
 	install -D -m 755 $(BUILD)/mpmlab "$(INSTALL)/bin/mpmlab"
 	install -d "$(SHARED)/plots" "$(MANUALS)" "$(WORDS)"
-	install -m 644 plots/*.gp "$(SHARED)/plots"
+	install -m 644 plots/*.gp plots/page.html "$(SHARED)/plots"
 	$(BUILD)/mpmlab --man > "$(MANUALS)/mpmlab.1"
 	$(BUILD)/mpmlab --completion > "$(WORDS)/mpmlab"
 
