@@ -123,7 +123,7 @@ test:
 	$(FAULT_TEST)
 	bash tests/install.sh $(BUILD) $(BUILD)/tests
 	bash tests/cluster.sh $(BUILD)/mpmlab $(BUILD)/tests
-	bash tests/page.sh $(BUILD)/mpmlab $(BUILD)/tests $(BUILD)/out
+	bash tests/page.sh $(BUILD)/mpmlab $(BUILD)/tests
 	@for t in $(UNIT_TESTS); do (cd $(BUILD)/tests && OMP_WAIT_POLICY=passive $(CURDIR)/$$t) || exit 1; done
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
