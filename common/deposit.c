@@ -30,19 +30,19 @@ static void chunk_body(const Sim *sim, const Chunk *c, double t, Field body[DIM]
         for (int p = 0; p < CHUNK; p++) body[a][p] *= c->m[p];
 }
 
-/* Mass and m u of a velocity filter's round. */
+/* Mass and m w of a velocity filter's round. */
 static void round_payload(const Chunk *c, Payload *out)
 {
     for (int p = 0; p < CHUNK; p++) out->A[0][p] = c->m[p];
     for (int a = 0; a < DIM; a++)
-        for (int p = 0; p < CHUNK; p++) out->A[1 + a][p] = c->m[p] * c->u[a][p];
+        for (int p = 0; p < CHUNK; p++) out->A[1 + a][p] = c->m[p] * c->w[a][p];
     for (int l = 1 + DIM; l < LANES; l++)
         for (int p = 0; p < CHUNK; p++) out->A[l][p] = 0;
 }
 
 static void deposit_chunk(Sim *sim, int k, double t, Deposit what, Work *w)
 {
-    const Method *method = sim->setup->method;
+    const Method *method = &sim->method;
     const bool affine = method->affine && what != ROUND;
     const Chunk c = sim_chunk(sim, k);
     Grid *g = &sim->g;
@@ -53,6 +53,7 @@ static void deposit_chunk(Sim *sim, int k, double t, Deposit what, Work *w)
         chunk_stress(sim, &c, what == FORCES, w->T);
         method->payload(&c, (const Field *)w->T, &w->payload);
     }
+    if (method->moments && affine) divide_by_spread(sim, w, width);
     pack_payload(sim, w, affine);
     if (width == 2)
         affine ? deposit(g, w, 2, true) : deposit(g, w, 2, false);

@@ -46,12 +46,11 @@ static void gather_moments(const Sim *sim, Work *w, int width)
     make_moments(w, width);
     gather_line(&sim->g, w, width, T_R);
     unpack_sums(w, LANES, sim->dx);
-    spread(sim, w, width);
 }
 
 static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Extremes *e)
 {
-    const Method *method = sim->setup->method;
+    const Method *method = &sim->method;
     const Chunk c = sim_chunk(sim, k);
     const int width = make_stencils(sim, &c, w);
     gather_line(&sim->g, w, width, T_G);
@@ -59,6 +58,20 @@ static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Ext
     if (method->moments) gather_moments(sim, w, width);
     method->update(&c, (const Field *)w->sums, dt, take);
     if (take & (TAKE_X | TAKE_F | MOVE_STASH)) inspect_chunk(sim, &c, w, e);
+}
+
+void start_moments(Sim *sim)
+{
+    Work w;
+    for (int k = 0; k < sim->p.n / CHUNK; k++) {
+        const Chunk c = sim_chunk(sim, k);
+        const int width = make_stencils(sim, &c, &w);
+        for (int d = 0; d < DIM; d++) {
+            spread(sim, &w, d, width, w.b[d]);
+            for (int a = 0; a < DIM; a++)
+                for (int p = 0; p < CHUNK; p++) c.L[a * DIM + d][p] *= w.b[d][p];
+        }
+    }
 }
 
 void gather_velocity(Sim *sim)
@@ -72,7 +85,7 @@ void gather_velocity(Sim *sim)
             const Chunk c = sim_chunk(sim, k);
             gather_line(&sim->g, &w, make_stencils(sim, &c, &w), T_G);
             for (int p = 0; p < CHUNK; p++)
-                for (int a = 0; a < DIM; a++) c.u[a][p] = w.A[p][a];
+                for (int a = 0; a < DIM; a++) c.w[a][p] = w.A[p][a];
         }
     }
 }

@@ -40,7 +40,7 @@ static inline void half_widths(const Sim *sim, const Chunk *c, int axis, Field b
 /* Fills the stencils of all axes; returns their common width, the least that holds this chunk. */
 static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
 {
-    const Method *method = sim->setup->method;
+    const Method *method = &sim->method;
     double most = 0.5;
     for (int d = 0; d < DIM; d++) {
         half_widths(sim, c, d, w->b[d]);
@@ -188,6 +188,30 @@ static inline __attribute__((always_inline)) void deposit_force(Grid *g, const W
         }
 }
 
+/* D = sum_i S (x_i - x_p)^2 [m^2] along an axis. */
+static inline void spread(const Sim *sim, const Work *w, int axis, int width, Field D)
+{
+    const Stencil *s = &w->stencil[axis];
+    for (int p = 0; p < CHUNK; p++) D[p] = 0;
+    for (int k = 0; k < width; k++)
+        for (int p = 0; p < CHUNK; p++) {
+            const double r = (s->base[p] + k - w->x[axis][p]) * sim->dx;
+            D[p] += s->table[T_S][k][p] * r * r;
+        }
+}
+
+/* Moments become slopes: B /= D. */
+static inline void divide_by_spread(const Sim *sim, Work *w, int width)
+{
+    for (int d = 0; d < DIM; d++) {
+        Field D;
+        spread(sim, w, d, width, D);
+        for (int p = 0; p < CHUNK; p++) D[p] = D[p] > 0 ? 1 / D[p] : 0;
+        for (int a = 0; a < DIM; a++)
+            for (int p = 0; p < CHUNK; p++) w->payload.B[d][a][p] *= D[p];
+    }
+}
+
 /* Payload from fields to lines. A is given at the particle; with slopes it is moved to the
  * stencil's first node, and the slopes are scaled to steps of one cell. */
 static inline void pack_payload(const Sim *sim, Work *w, bool affine)
@@ -216,17 +240,6 @@ static inline void unpack_sums(Work *w, int at, double scale)
         for (int l = 0; l < LANES; l++) w->sums[at + l][p] = w->A[p][l];
     for (int l = FLUX; l < LANES; l++)
         for (int p = 0; p < CHUNK; p++) w->sums[at + l][p] *= scale;
-}
-
-/* D_d = sum_k S r^2 [m^2] into the first lanes of the second line. */
-static inline void spread(const Sim *sim, Work *w, int width)
-{
-    for (int d = 0; d < DIM; d++)
-        for (int p = 0; p < CHUNK; p++) {
-            double sum = 0;
-            for (int k = 0; k < width; k++) sum += w->stencil[d].table[T_Q][k][p];
-            w->sums[LANES + d][p] = sum * sim->dx * sim->dx;
-        }
 }
 
 #endif

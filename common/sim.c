@@ -14,7 +14,8 @@ static double widest_half(double half)
 
 static bool field_used(const Setup *s, int field)
 {
-    if (field >= AT_U) return s->integrator == MUSL || s->method->filter;
+    if (field >= AT_W) return s->method->filter;
+    if (field >= AT_U) return s->integrator == MUSL;
     if (field >= AT_L) return s->method->keeps_L || s->refresh;
     return true;
 }
@@ -105,7 +106,7 @@ static void make_grid(Sim *sim)
 {
     Grid *g = &sim->g;
     const Scene *scene = sim->setup->scene;
-    const int ghosts = sim->setup->method->width(sim->half_max) / 2 + 4;
+    const int ghosts = sim->method.width(sim->half_max) / 2 + 4;
     g->rows = 1;
     for (int d = 0; d < DIM; d++) {
         g->origin[d] = (int)floor(scene->lo[d] * g->cells + 1e-9) - ghosts;
@@ -125,7 +126,8 @@ static void set_walls(Sim *sim)
             const Wall *w = &scene->wall[k];
             const int at = (int)lround(w->at * g->cells) - g->origin[d];
             if (w->axis != d) continue;
-            if (!w->mirror) *(w->side < 0 ? &g->axis[d].wall_lo : &g->axis[d].wall_hi) = at;
+            if (!w->mirror && w->hold >> d & 1) /* else the body may cross it */
+                *(w->side < 0 ? &g->axis[d].wall_lo : &g->axis[d].wall_hi) = at;
             if (w->mirror) g->mirror[g->nmirror++] = (Mirror){d, at, w->side};
             for (int i = 0; i < g->n[d] && !w->mirror; i++)
                 if (w->side * (i - at) >= 0) g->hold[d][i] |= (unsigned char)w->hold;
@@ -150,7 +152,7 @@ static void fill_particles(Sim *sim, const Layout *layout)
     /* Lighter nodes are empty. A tent's force does not fade with its mass, so that a node of
      * round-off weight must not move; a smooth weight's force goes as the root of its mass, and is
      * kept. */
-    const double least = sim->setup->method->smooth ? 1e-24 : 1e-12;
+    const double least = sim->method.smooth ? 1e-24 : 1e-12;
     sim->mass_cut = least * scene->mat.rho * body_volume(scene) / n;
 }
 
@@ -222,6 +224,8 @@ Sim *sim_new(const Setup *setup, Fault *fault)
     }
     *sim = (Sim){0};
     sim->setup = setup;
+    sim->method = *setup->method;
+    if (sim->method.adapt) sim->method.adapt(setup->method_par, &sim->method);
     const int bad = build(sim, &layout, fault);
     layout_free(&layout);
     if (!bad) return sim;

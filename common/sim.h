@@ -20,7 +20,8 @@ enum {
     AT_VOL = AT_M + 1,  /* reference volume [m^DIM] */
     AT_L = AT_VOL + 1,  /* velocity gradient [1/s], NMAT: if the method keeps it */
     AT_U = AT_L + NMAT, /* displacement of this step [m], DIM: if the integrator keeps it */
-    FIELDS = AT_U + DIM
+    AT_W = AT_U + DIM,  /* velocity in a filter's round [m/s], DIM: if the method has a filter */
+    FIELDS = AT_W + DIM
 };
 
 typedef struct Particles {
@@ -65,6 +66,7 @@ typedef struct Grid {
 
 typedef struct Sim {
     const Setup *setup;
+    Method method; /* the run's own copy */
     Particles p;
     Grid g;
     Block *block;
@@ -112,6 +114,7 @@ static inline Chunk sim_chunk(const Sim *sim, int k)
         c.x[d] = p->field[AT_X + d] + at;
         c.v[d] = p->field[AT_V + d] + at;
         c.u[d] = p->field[AT_U + d] ? p->field[AT_U + d] + at : NULL;
+        c.w[d] = p->field[AT_W + d] ? p->field[AT_W + d] + at : NULL;
     }
     for (int k2 = 0; k2 < NMAT; k2++) {
         c.F[k2] = p->field[AT_F + k2] + at;

@@ -4,7 +4,7 @@
 #include <limits.h>
 #include <math.h>
 #include <string.h>
-#include "sim.h"
+#include "passes.h"
 
 static int cell_of(const Sim *sim, int slot, int axis)
 {
@@ -108,7 +108,7 @@ static void touch_rows(Grid *g, const int cell[DIM], int lo, int hi, int down, i
 static void find_spans(Sim *sim)
 {
     Grid *g = &sim->g;
-    const int half = sim->setup->method->width(sim->half_plan) / 2;
+    const int half = sim->method.width(sim->half_plan) / 2;
     const int down = half + 1, up = half + 2;
     for (int r = 0; r < g->rows; r++) g->lo[r] = INT_MAX, g->hi[r] = 0;
     for (int k = 0; k < sim->p.n;) {
@@ -128,9 +128,10 @@ static void find_spans(Sim *sim)
 
 void sim_sort(Sim *sim)
 {
+    const bool first = isinf(sim->travel);
     const int half = sim->half_now <= 0.5 ? 1 : 0;
     sim->half_plan = half ? 0.5 : fmin(1.25 * sim->half_now, sim->half_max);
-    const int reach = 2 * (sim->setup->method->width(sim->half_plan) / 2) + 3;
+    const int reach = 2 * (sim->method.width(sim->half_plan) / 2) + 3;
     const int least = DIM == 1 ? 64 : 8;
     sim->block_rows = (reach + least - 1) / least * least;
     int *buffer[2] = {sim->p.order, sim->p.source};
@@ -140,4 +141,5 @@ void sim_sort(Sim *sim)
     permute(sim, source);
     find_spans(sim);
     sim->travel = 0;
+    if (first && sim->method.moments) start_moments(sim);
 }
