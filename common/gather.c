@@ -83,7 +83,11 @@ void gather_velocity(Sim *sim)
 #pragma omp for schedule(static)
         for (int k = 0; k < chunks; k++) {
             const Chunk c = sim_chunk(sim, k);
-            gather_line(&sim->g, &w, make_stencils(sim, &c, &w), T_G);
+            const int width = make_stencils(sim, &c, &w);
+            if (width == 3)
+                gather_half(&sim->g, &w, 3);
+            else
+                gather_half(&sim->g, &w, width);
             for (int p = 0; p < CHUNK; p++)
                 for (int a = 0; a < DIM; a++) c.w[a][p] = w.A[p][a];
         }
