@@ -5,7 +5,10 @@
  * gradient of the velocity that is about to be projected: where particles are projected twice a
  * step (uvf, musl) or the gradient is taken before the forces act (usf), the old one feeds on
  * itself. refresh=1 takes it anew before the second projection. Its cases are added where that is
- * what lifts the refusal. */
+ * what lifts the refusal.
+ *
+ * Energy errors of the stable pairs fall with the time step: at the scene's own CFL .2 GIMP with cd
+ * loses .14 % instead of .07 %. */
 #include <math.h>
 #include <string.h>
 #include "pages.h"
@@ -135,6 +138,8 @@ static void check(Check *c, const Table *rows, const char *dir)
     claim(c, "T-5.tent-cd", "tents lose a fifth of the energy with cd", drift(rows, "mpm", "cd"),
           -0.25, -0.15);
     claim(c, "T-5.tent-usl", "and with usl", drift(rows, "mpm", "usl"), -0.25, -0.15);
+    claim_differs(c, "T-5.tent-uvf", "and keep it with uvf", drift(rows, "mpm", "uvf"), -0.005,
+                  0.005, -0.03, 0.03, "how much is luck of round-off: tents cross cells");
     claim(c, "T-5.tent-usf", "and gain some with usf (how much is luck of round-off)",
           drift(rows, "mpm", "usf"), 0.01, 1);
 }

@@ -80,14 +80,7 @@ static int twin(int cells, int steps)
 {
     Plan p;
     if (plan(&p, "gimp", cells)) return 2;
-    const double dt = 0.3 * p.scene.cell / p.scene.c;
-    Twin *t = twin_new(&p.setup);
-    if (!t) return 1;
-    twin_step(t, 0, dt, true);
-    const double start = seconds();
-    for (int k = 1; k <= steps; k++) twin_step(t, k * dt, dt, false);
-    printf("twin_ns %.4g\n", 1e9 * (seconds() - start) / (4.0 * cells * cells * steps));
-    twin_free(t);
+    printf("twin_ns %.4g\n", twin_ns(&p.setup, 0.3 * p.scene.cell / p.scene.c, steps));
     return 0;
 }
 

@@ -2,9 +2,26 @@
 #include "check.h"
 
 extern const TestCase contract_tests[];
+extern const TestCase twin_tests[];
+extern const TestCase shapes_tests[];
+extern const TestCase material_tests[];
+extern const TestCase exact_tests[];
+extern const TestCase invariants_tests[];
+extern const TestCase order_tests[];
+extern const TestCase dynamics_tests[];
+extern const TestCase spots_tests[];
+extern const TestCase rules_tests[];
+extern const TestCase status_tests[];
 
 int main(void)
 {
-    const TestSuite suites[] = {{"contract", contract_tests}, {NULL, NULL}};
+    const TestSuite suites[] = {
+        {"contract", contract_tests}, {"twin", twin_tests},
+        {"shapes", shapes_tests},     {"material", material_tests},
+        {"exact", exact_tests},       {"invariants", invariants_tests},
+        {"order", order_tests},       {"dynamics", dynamics_tests},
+        {"spots", spots_tests},       {"rules", rules_tests},
+        {"status", status_tests},     {NULL, NULL},
+    };
     return check_run(suites);
 }

@@ -1,0 +1,255 @@
+/* test_invariants.c: what holds for every method and integrator on a free block: conservation,
+ * mirror symmetry, independence of threads, of empty space and of what stands in padding and unused
+ * nodes. */
+#include <stdlib.h>
+#include <string.h>
+#include "rig.h"
+
+/* By dimension; several blocks of rows, half-filled chunks. */
+static const Case blocks[] = {{1, "free_block", 200, 2, 0, NULL},
+                              {2, "free_block", 20, 4, 0, NULL}};
+
+static const Case *block(void)
+{
+    return &blocks[DIM - 1];
+}
+
+typedef void Check(Rig *r);
+
+/* Runs a check over every pair, with and without refresh where it matters. */
+static void for_pairs(Check *check)
+{
+    FOR_METHODS(m) FOR_INTEGRATORS(i) for (int fresh = 0; fresh < 2; fresh++)
+    {
+        Rig r;
+        if (fresh && i != UVF && i != MUSL) continue;
+        CU_ASSERT_FATAL(rig_plan(&r, block(), (*m)->info.name, i,
+                                 fresh ? "allow_unstable=1;refresh=1" : "allow_unstable=1"));
+        check(&r);
+    }
+}
+
+/* ---- conservation */
+
+/* Momentum, and sum m |v| for its scale. */
+static double momentum_of(const double *s, int n, Vec out)
+{
+    double size = 0;
+    for (int d = 0; d < DIM; d++) out[d] = 0;
+    for (int k = 0; k < n; k++)
+        for (int d = 0; d < DIM; d++) {
+            out[d] += s[AT_M * n + k] * s[(AT_V + d) * n + k];
+            size += fabs(s[AT_M * n + k] * s[(AT_V + d) * n + k]);
+        }
+    return size;
+}
+
+static void check_momentum(Rig *r)
+{
+    Vec before, after;
+    Sim *sim = rig_sim(r);
+    const int n = sim->p.count;
+    double *start = rig_state(sim);
+    CU_ASSERT(rig_steps(r, sim, 0, 20));
+    double *end = rig_state(sim), size = momentum_of(start, n, before);
+    momentum_of(end, n, after);
+    for (int d = 0; d < DIM; d++) CHECK_CLOSE(after[d], before[d], 1e-12 * size);
+    CU_ASSERT(rig_distance(start, end, n, false) > 1e-3); /* it did move */
+    for (int k = 0; k < n; k++) CU_ASSERT(start[AT_M * n + k] == end[AT_M * n + k]);
+    free(start), free(end);
+    sim_free(sim);
+}
+
+static void test_momentum(void)
+{
+    for_pairs(check_momentum);
+}
+
+/* The nodes carry the block's mass, rho times its volume, after any step. */
+static void check_mass(Rig *r)
+{
+    Nodes nodes;
+    r->plan.setup.snapshot_nodes = true;
+    void *core = particle_solver.make(&r->plan.setup, &r->fault);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(core);
+    for (int k = 0; k < 8; k++) {
+        double mass = 0;
+        CU_ASSERT(particle_solver.step(core, k * r->dt, r->dt, k == 0).code == OK);
+        particle_solver.nodes(core, &nodes);
+        for (int i = 0; i < nodes.n; i++) mass += nodes.m[i];
+        CHECK_CLOSE(mass, r->plan.scene.mat.rho, 1e-11); /* a unit block; empty nodes hold 1e-12 */
+    }
+    particle_solver.free(core);
+}
+
+static void test_mass(void)
+{
+    for_pairs(check_mass);
+}
+
+/* ---- mirror symmetry: a mirrored start gives the mirrored result */
+
+static void mirror_fields(double *const field[FIELDS], int n, int axis, double width)
+{
+    for (int k = 0; k < n; k++) {
+        field[AT_X0 + axis][k] = width - field[AT_X0 + axis][k];
+        field[AT_X + axis][k] = width - field[AT_X + axis][k];
+        field[AT_V + axis][k] *= -1;
+        for (int a = 0; a < DIM; a++)
+            for (int b = 0; b < DIM; b++)
+                if ((a == axis) != (b == axis)) {
+                    field[AT_F + a * DIM + b][k] *= -1;
+                    if (field[AT_L]) field[AT_L + a * DIM + b][k] *= -1;
+                }
+    }
+}
+
+/* Floors and ceilings fall on the other side, sums run backwards: round-off alone, a few ulp a
+ * step, and more in L and with tents, whose forces on light nodes enlarge it. */
+static void check_mirror(Rig *r)
+{
+    const double width = r->plan.scene.hi[0];
+    for (int axis = 0; axis < DIM; axis++) {
+        Sim *plain = rig_sim(r), *turned = rig_sim(r);
+        const int n = plain->p.count;
+        double *field[FIELDS];
+        mirror_fields(turned->p.field, n, axis, width);
+        CU_ASSERT(rig_steps(r, plain, 0, 5) && rig_steps(r, turned, 0, 5));
+        double *a = rig_state(plain), *b = rig_state(turned);
+        for (int f = 0; f < FIELDS; f++) field[f] = b + f * n;
+        mirror_fields(field, n, axis, width);
+        CU_ASSERT(rig_distance(a, b, n, false) < 3e-14);
+        free(a), free(b);
+        sim_free(plain), sim_free(turned);
+    }
+}
+
+static void test_mirror(void)
+{
+    for_pairs(check_mirror);
+}
+
+/* ---- threads */
+
+static double *run_threads(Rig *r, int threads)
+{
+    r->plan.setup.threads = threads;
+    Sim *sim = rig_sim(r);
+    CU_ASSERT(rig_steps(r, sim, 0, 20));
+    CU_ASSERT(sim->nblock >= 3);
+    double *state = rig_state(sim);
+    sim_free(sim);
+    return state;
+}
+
+static void check_threads(Rig *r)
+{
+    double *one = run_threads(r, 1);
+    const size_t bytes = sizeof(double) * FIELDS;
+    Sim *sim = rig_sim(r);
+    for (int threads = 2; threads <= 4; threads++) {
+        double *many = run_threads(r, threads);
+        CU_ASSERT(memcmp(one, many, bytes * (size_t)sim->p.count) == 0);
+        free(many);
+    }
+    free(one);
+    sim_free(sim);
+}
+
+static void test_threads(void)
+{
+    for_pairs(check_threads);
+}
+
+/* Every column but the timings. */
+static void test_thread_rows(void)
+{
+    FOR_METHODS(m)
+    {
+        Row one, many;
+        Fault fault;
+        char a[ROW_TEXT], b[ROW_TEXT];
+        RunSpec spec = rig_spec(block(), (*m)->info.name, NULL, "steps=20");
+        CU_ASSERT_FATAL(run_spec(&spec, &one, &fault) == 0);
+        spec.threads = 3;
+        CU_ASSERT_FATAL(run_spec(&spec, &many, &fault) == 0);
+        CHECK_TEXT(one.status, "ok");
+        for (int k = 0; k < row_columns(); k++) {
+            row_cell(&one, k, a), row_cell(&many, k, b);
+            if (!row_column_is_timing(k)) CHECK_TEXT(a, b);
+        }
+    }
+}
+
+/* ---- empty space: twice the box, the same block (on the same lines of the grid) */
+
+static void check_empty_space(Rig *r)
+{
+    Rig wide = *r;
+    CU_ASSERT_FATAL(rig_plan(&wide, block(), r->spec.method, r->plan.setup.integrator,
+                             "allow_unstable=1;box=3"));
+    wide.plan.setup.refresh = r->plan.setup.refresh;
+    const double moved = 0.5 * (wide.plan.scene.hi[0] - r->plan.scene.hi[0]);
+    Sim *small = rig_sim(r), *large = rig_sim(&wide);
+    const int n = small->p.count;
+    CU_ASSERT_FATAL(large->p.count == n);
+    CU_ASSERT(rig_steps(r, small, 0, 10) && rig_steps(&wide, large, 0, 10));
+    double *a = rig_state(small), *b = rig_state(large);
+    for (int k = 0; k < DIM * n; k++) b[AT_X * n + k] -= moved;
+    CU_ASSERT(rig_distance(a, b, n, false) < 1e-12); /* positions round off differently */
+    CU_ASSERT(small->nodes == large->nodes);
+    free(a), free(b);
+    sim_free(small), sim_free(large);
+}
+
+static void test_empty_space(void)
+{
+    for_pairs(check_empty_space);
+}
+
+/* ---- what must never be read: nodes outside the spans, the motion of padding */
+
+static void poison(Sim *sim)
+{
+    const Particles *p = &sim->p;
+    const Grid *g = &sim->g;
+    double *lane = (double *)g->node;
+    for (size_t i = 0; i < (size_t)g->rows * (size_t)g->n[0] * LANES; i++) lane[i] = NAN;
+    for (int s = 0; s < p->n; s++) {
+        if (p->id[s] >= 0) continue;
+        CU_ASSERT(!(p->field[AT_M][s] > 0) && !(p->field[AT_VOL][s] > 0));
+        for (int d = 0; d < DIM; d++) p->field[AT_V + d][s] = 1e6;
+    }
+}
+
+static void check_poison(Rig *r)
+{
+    Sim *clean = rig_sim(r), *dirty = rig_sim(r);
+    sim_sort(dirty); /* so that there is padding */
+    CU_ASSERT(dirty->p.n > dirty->p.count);
+    for (int k = 0; k < 20; k++) {
+        poison(dirty);
+        CU_ASSERT(rig_steps(r, clean, k, k + 1) && rig_steps(r, dirty, k, k + 1));
+    }
+    double *a = rig_state(clean), *b = rig_state(dirty);
+    CU_ASSERT(memcmp(a, b, sizeof(double) * FIELDS * (size_t)clean->p.count) == 0);
+    free(a), free(b);
+    sim_free(clean), sim_free(dirty);
+}
+
+static void test_poison(void)
+{
+    for_pairs(check_poison);
+}
+
+extern const TestCase invariants_tests[];
+const TestCase invariants_tests[] = {
+    {"momentum", test_momentum},
+    {"mass", test_mass},
+    {"mirrored scenes", test_mirror},
+    {"bitwise the same on any number of threads", test_threads},
+    {"rows of several threads", test_thread_rows},
+    {"empty space changes nothing", test_empty_space},
+    {"unused nodes and padding are never read", test_poison},
+    {NULL, NULL},
+};

@@ -1,0 +1,55 @@
+/* twin.h: the textbook material point step, as plain as it can be written: arrays of structs, loops
+ * over particles and their nodes, weights recomputed in both passes, a dense grid, symmetry by
+ * truly mirrored copies of the particles. Shares placement and scenes with the testbed, no
+ * numerics: it is what the fast core is compared with, in tests and in the bench. */
+#ifndef MPMLAB_TWIN_H
+#define MPMLAB_TWIN_H
+
+#include "../common/run.h"
+
+typedef struct TwinParticle {
+    int id;                        /* placement order */
+    double m, V0;                  /* [kg] [m^DIM] */
+    double X[DIM], x[DIM], v[DIM]; /* [m] [m] [m/s] */
+    double u[DIM];                 /* [m] displacement to be made after a re-projection (musl) */
+    double b[DIM];                 /* [m/s^2] body force per mass */
+    double F[DIM][DIM];            /* [-] */
+    double L[DIM][DIM];            /* [1/s] grad v of the last gather */
+} TwinParticle;
+
+typedef struct TwinNode {
+    double m, p[DIM], f[DIM]; /* [kg] [kg m/s] [N] */
+    double v[DIM], a[DIM];    /* [m/s] [m/s^2] */
+    unsigned held;            /* bit a: v_a = a_a = 0 */
+} TwinNode;
+
+typedef struct TwinMethod {
+    const char *name;
+    bool gimp;     /* exact convolution, else tents */
+    bool gradient; /* gradient-enhanced projection (W07 section 4) */
+    double least;  /* a node with less than this part of a particle's mass is empty */
+} TwinMethod;
+
+typedef struct Twin {
+    const Setup *setup;
+    const TwinMethod *method;
+    int n;
+    TwinParticle *p;
+    double h;                   /* [m] */
+    double half;                /* l0/h of an undeformed particle */
+    int origin[DIM], size[DIM]; /* first node index and nodes per axis, ghosts included */
+    long nodes;
+    TwinNode *node;
+} Twin;
+
+/* NULL if the twin does not know the method, or out of memory. `setup` must outlive it. */
+Twin *twin_new(const Setup *setup);
+void twin_free(Twin *twin);
+
+/* One step from t to t + dt [s]; `first` takes the half first step where the integrator has one. */
+void twin_step(Twin *twin, double t, double dt, bool first);
+
+/* CPU time [ns] per particle and step of `steps` steps from the start; NAN if it is not known. */
+double twin_ns(const Setup *setup, double dt, int steps);
+
+#endif

@@ -1,0 +1,112 @@
+/* twin_make.c: the twin's particles, grid and walls from a Setup; and its time. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include "../common/place.h"
+#include "twin.h"
+
+enum { GHOSTS = 8 }; /* nodes beyond the domain */
+
+/* A smooth weight's force fades with its mass, a tent's does not (common/sim.c has the reason). */
+static const TwinMethod known[] = {{"mpm", false, false, 1e-12},
+                                   {"gimp", true, false, 1e-24},
+                                   {"ge_mpm", false, true, 1e-12},
+                                   {"ge_gimp", true, true, 1e-24}};
+
+static void make_grid(Twin *w)
+{
+    const Scene *scene = w->setup->scene;
+    const int cells = w->setup->cells;
+    w->nodes = 1;
+    for (int d = 0; d < DIM; d++) {
+        w->origin[d] = (int)lround(scene->lo[d] * cells) - GHOSTS;
+        w->size[d] = (int)lround(scene->hi[d] * cells) + GHOSTS + 1 - w->origin[d];
+        w->nodes *= w->size[d];
+    }
+}
+
+/* A wall holds the nodes on it and all beyond. */
+static void hold_walls(Twin *w)
+{
+    const Scene *scene = w->setup->scene;
+    for (long i = 0; i < w->nodes; i++)
+        for (int k = 0; k < scene->nwall; k++) {
+            const Wall *wall = &scene->wall[k];
+            long rest = i;
+            for (int d = 0; d < wall->axis; d++) rest /= w->size[d];
+            const double index = (double)(rest % w->size[wall->axis] + w->origin[wall->axis]);
+            const double beyond = wall->side * (index - wall->at * w->setup->cells);
+            if (!wall->mirror && beyond > -1e-6) w->node[i].held |= wall->hold;
+        }
+}
+
+static void place_one(Twin *w, const Layout *layout, int k)
+{
+    const Scene *scene = w->setup->scene;
+    TwinParticle *p = &w->p[w->n];
+    const double *X[DIM];
+    double u[DIM] = {0}, *at[DIM], *v[DIM], *F[NMAT], *L[NMAT];
+    if (!(layout->volume[k] > 0)) return; /* surface particles */
+    *p = (TwinParticle){.id = w->n++, .V0 = layout->volume[k]};
+    p->m = p->V0 * scene->mat.rho;
+    for (int d = 0; d < DIM; d++) {
+        p->X[d] = layout->X[d][k];
+        p->F[d][d] = 1;
+        X[d] = &p->X[d], at[d] = &u[d], v[d] = &p->v[d];
+    }
+    for (int k2 = 0; k2 < NMAT; k2++)
+        F[k2] = &p->F[k2 / DIM][k2 % DIM], L[k2] = &p->L[k2 / DIM][k2 % DIM];
+    if (scene->problem->start) scene->problem->start(scene, 1, X, at, v, F, L);
+    for (int d = 0; d < DIM; d++) p->x[d] = p->X[d] + u[d];
+}
+
+static const TwinMethod *find(const char *name)
+{
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+        if (strcmp(known[k].name, name) == 0) return &known[k];
+    return NULL;
+}
+
+Twin *twin_new(const Setup *setup)
+{
+    const double n = pow(setup->ppc, 1.0 / DIM);
+    const TwinMethod *method = find(setup->method->info.name);
+    Layout layout = {0};
+    Twin *w = method ? calloc(1, sizeof *w) : NULL;
+    if (!w) return NULL;
+    *w = (Twin){.setup = setup, .method = method, .h = 1.0 / setup->cells, .half = 0.5 / n};
+    make_grid(w);
+    const int bad = layout_make(&layout, setup->scene, 1.0 / setup->cells / n, setup->count,
+                                setup->fitted, NULL);
+    w->p = calloc((size_t)layout.n + 1, sizeof *w->p);
+    w->node = calloc((size_t)w->nodes, sizeof *w->node);
+    const bool good = !bad && w->p && w->node;
+    for (int k = 0; k < layout.n && good; k++) place_one(w, &layout, k);
+    layout_free(&layout);
+    if (good) {
+        hold_walls(w);
+        return w;
+    }
+    twin_free(w);
+    return NULL;
+}
+
+void twin_free(Twin *w)
+{
+    if (!w) return;
+    free(w->p);
+    free(w->node);
+    free(w);
+}
+
+double twin_ns(const Setup *setup, double dt, int steps)
+{
+    Twin *w = twin_new(setup);
+    if (!w) return NAN;
+    const clock_t start = clock();
+    for (int k = 0; k < steps; k++) twin_step(w, k * dt, dt, k == 0);
+    const double ns = 1e9 * (double)(clock() - start) / CLOCKS_PER_SEC / steps / w->n;
+    twin_free(w);
+    return ns;
+}
