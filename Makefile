@@ -80,7 +80,7 @@ UNIT_TESTS  = $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD
 CORE_DIMS   = 1 2 3
 CORE_3      = main_3d rig twin twin_make $(patsubst %,test_%,twin shapes material exact)
 CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
-              $(patsubst %,test_%,invariants order dynamics spots rules status)
+              $(patsubst %,test_%,invariants order dynamics spots rules status methods)
 CORE_2      = $(CORE_1)
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
