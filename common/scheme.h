@@ -101,15 +101,20 @@ axis_weight(const Stencil s[DIM], int d, int k, int p, const Pattern *q, const u
 #define FOR_ROWS(r, width)                                                                         \
     for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? width : width * width); r++)
 
-/* Node index of row r of the stencil of particle p. */
-static inline size_t row_start(const Grid *g, const Stencil s[DIM], int p, int width, int r)
+/* Index of the first node that particle p sees. */
+static inline size_t first_node(const Grid *g, const Stencil s[DIM], int p)
 {
     size_t row = 0;
-    for (int d = DIM - 1; d > 0; d--) {
-        const int k = d == 1 ? r % width : r / width;
-        row = row * (size_t)g->n[d] + (size_t)(s[d].base[p] + k);
-    }
+    for (int d = DIM - 1; d > 0; d--) row = row * (size_t)g->n[d] + (size_t)s[d].base[p];
     return row * (size_t)g->n[0] + (size_t)s[0].base[p];
+}
+
+/* Nodes from a stencil's first node to the start of its row r. */
+static inline size_t row_offset(const Grid *g, int width, int r)
+{
+    if (DIM == 1) return 0;
+    if (DIM == 2) return (size_t)r * (size_t)g->n[0];
+    return ((size_t)(r / width) * (size_t)g->n[DIM > 1] + (size_t)(r % width)) * (size_t)g->n[0];
 }
 
 /* Product of the weights of all axes but the first, for row r (DIM > 1). */
@@ -121,18 +126,47 @@ row_weight(const Stencil s[DIM], const Pattern *q, int p, int width, int r, cons
     return y;
 }
 
-/* node[lane] += w (A + sum_d B_d offset_d): A is the value at the stencil's first node. */
+/* Can a whole stencil of 3 nodes an axis wait in vector registers? */
+#ifdef __AVX512F__
+enum { REGISTER_BYTES = 16 * 64 };
+#else
+enum { REGISTER_BYTES = 4 * 32 };
+#endif
+#define FITS_REGISTERS(width)                                                                      \
+    ((width) <= 3 && (DIM == 1 ? 3 : DIM == 2 ? 9 : 27) * (int)sizeof(Line) <= REGISTER_BYTES)
+
+static inline __attribute__((always_inline)) void flush_run(Grid *g, Line sum[9], size_t at,
+                                                            const int width)
+{
+    for (int r = 0; r < (DIM == 1 ? 1 : width); r++)
+        for (int i = 0; i < width; i++) {
+            g->node[at + row_offset(g, width, r) + (size_t)i] += sum[r * width + i];
+            sum[r * width + i] = (Line){0};
+        }
+}
+
+/* node[lane] += w (A + sum_d B_d offset_d): A is the value at the stencil's first node. Particles
+ * are sorted by stencil, so that many in a row share all nodes: where `runs` is set they are summed
+ * in registers and the nodes are touched once a run. */
 static inline __attribute__((always_inline)) void deposit(Grid *g, const Work *w, const int width,
                                                           const bool affine)
 {
     const Pattern q = flux_pattern(T_G);
     const unsigned tables = 1u << T_G;
+    const bool runs = FITS_REGISTERS(width);
+    const int rows = DIM == 1 ? 1 : DIM == 2 ? width : width * width;
+    Line sum[9] = {{0}};
+    size_t at = first_node(g, w->stencil, 0);
     for (int p = 0; p < CHUNK; p++) {
         Line x[MAX_WIDTH];
+        const size_t first = first_node(g, w->stencil, p);
         for (int i = 0; i < width; i++) x[i] = axis_weight(w->stencil, 0, i, p, &q, tables);
-        FOR_ROWS(r, width)
-        {
-            Line *node = g->node + row_start(g, w->stencil, p, width, r);
+        if (runs && first != at) {
+            flush_run(g, sum, at, width);
+            at = first;
+        }
+        for (int r = 0; r < rows; r++) {
+            Line *node = g->node + first + row_offset(g, width, r);
             Line value = w->A[p], slope;
             if (affine && DIM > 1) value += (double)(DIM == 2 ? r : r % width) * w->B[DIM > 1][p];
             for (int d = 2; affine && d < DIM; d++) value += (double)(r / width) * w->B[d][p];
@@ -143,11 +177,12 @@ static inline __attribute__((always_inline)) void deposit(Grid *g, const Work *w
                 if (affine) slope *= y;
             }
             for (int i = 0; i < width; i++) {
-                node[i] += x[i] * value;
+                *(runs ? &sum[(r * width + i) % 9] : &node[i]) += x[i] * value;
                 if (affine) value += slope;
             }
         }
     }
+    if (runs) flush_run(g, sum, at, width);
 }
 
 /* A_p[lane] = sum_i w node[lane], the lanes from FLUX on weighted with the given table: T_G, T_R.
@@ -159,10 +194,11 @@ static inline __attribute__((always_inline)) void gather(const Grid *g, Work *w,
     const unsigned tables = 1u << table;
     for (int p = 0; p < CHUNK; p++) {
         Line x[MAX_WIDTH], sum = {0};
+        const size_t first = first_node(g, w->stencil, p);
         for (int i = 0; i < width; i++) x[i] = axis_weight(w->stencil, 0, i, p, &q, tables);
         FOR_ROWS(r, width)
         {
-            const Line *node = g->node + row_start(g, w->stencil, p, width, r);
+            const Line *node = g->node + first + row_offset(g, width, r);
             Line row = x[0] * node[0];
             for (int i = 1; i < width; i++) row += x[i] * node[i];
             if (DIM > 1) row *= row_weight(w->stencil, &q, p, width, r, tables);
@@ -188,10 +224,11 @@ static inline __attribute__((always_inline)) void deposit_half(Grid *g, const Wo
                                                                const int width)
 {
     for (int p = 0; p < CHUNK; p++) {
+        Line *const first = g->node + first_node(g, w->stencil, p);
         const Half value = *(const Half *)&w->A[p];
         FOR_ROWS(r, width)
         {
-            Line *node = g->node + row_start(g, w->stencil, p, width, r);
+            Line *node = first + row_offset(g, width, r);
             const Half row = value * row_share(w->stencil, p, width, r);
             for (int i = 0; i < width; i++)
                 *(Half *)&node[i] += row * w->stencil[0].table[T_S][i][p];
@@ -203,10 +240,11 @@ static inline __attribute__((always_inline)) void gather_half(const Grid *g, Wor
                                                               const int width)
 {
     for (int p = 0; p < CHUNK; p++) {
+        const Line *const first = g->node + first_node(g, w->stencil, p);
         Half sum = {0};
         FOR_ROWS(r, width)
         {
-            const Line *node = g->node + row_start(g, w->stencil, p, width, r);
+            const Line *node = first + row_offset(g, width, r);
             Half row = {0};
             for (int i = 0; i < width; i++)
                 row += *(const Half *)&node[i] * w->stencil[0].table[T_S][i][p];
@@ -220,14 +258,17 @@ static inline __attribute__((always_inline)) void gather_half(const Grid *g, Wor
 static inline __attribute__((always_inline)) void deposit_force(Grid *g, const Work *w,
                                                                 const int width)
 {
-    for (int p = 0; p < CHUNK; p++) FOR_ROWS(r, width)
+    for (int p = 0; p < CHUNK; p++) {
+        const size_t first = first_node(g, w->stencil, p);
+        FOR_ROWS(r, width)
         {
             const double y = row_share(w->stencil, p, width, r);
-            double *force = g->force + DIM * row_start(g, w->stencil, p, width, r);
+            double *force = g->force + DIM * (first + row_offset(g, width, r));
             for (int i = 0; i < width; i++)
                 for (int a = 0; a < DIM; a++)
                     force[i * DIM + a] += w->stencil[0].table[T_S][i][p] * y * w->body[a][p];
         }
+    }
 }
 
 /* D = sum_i S (x_i - x_p)^2 [m^2] along an axis. */

@@ -6,9 +6,12 @@
 #include <string.h>
 #include "passes.h"
 
+/* Where a particle's stencil stands: its cell, or its nearest node if stencils are about a node
+ * (odd widths), so that neighbours in the order share all their nodes. */
 static int cell_of(const Sim *sim, int slot, int axis)
 {
-    return (int)floor(sim->p.field[AT_X + axis][slot] * sim->g.cells) - sim->g.origin[axis];
+    const double at = sim->p.field[AT_X + axis][slot] * sim->g.cells;
+    return (int)floor(at + sim->key_shift) - sim->g.origin[axis];
 }
 
 /* One stable counting pass: order[] by key[] in [0, nkey). */
@@ -103,13 +106,14 @@ static void touch_rows(Grid *g, const int cell[DIM], int lo, int hi, int down, i
     }
 }
 
-/* A particle in cell c sees nodes c - half .. c + 1 + half; it may drift by one cell until the next
- * sort. Where symmetry folds the grid, a ghost's image must be live, too. */
+/* A particle in cell c sees nodes c - half .. c + 1 + half, about node c less by one; it may drift
+ * by one cell until the next sort. Where symmetry folds the grid, a ghost's image must be live,
+ * too. */
 static void find_spans(Sim *sim)
 {
     Grid *g = &sim->g;
     const int half = sim->method.width(sim->half_plan) / 2;
-    const int down = half + 1, up = half + 2;
+    const int down = half + 1, up = half + (sim->key_shift > 0 ? 1 : 2);
     for (int r = 0; r < g->rows; r++) g->lo[r] = INT_MAX, g->hi[r] = 0;
     for (int k = 0; k < sim->p.n;) {
         int cell[DIM], lo, hi;
@@ -131,6 +135,7 @@ void sim_sort(Sim *sim)
     const bool first = isinf(sim->travel);
     const int half = sim->half_now <= 0.5 ? 1 : 0;
     sim->half_plan = half ? 0.5 : fmin(1.25 * sim->half_now, sim->half_max);
+    sim->key_shift = sim->method.width(sim->half_plan) % 2 ? 0.5 : 0;
     const int reach = 2 * (sim->method.width(sim->half_plan) / 2) + 3;
     const int least = DIM == 1 ? 64 : 8;
     sim->block_rows = (reach + least - 1) / least * least;

@@ -123,7 +123,7 @@ static inline void folded_shape(const Axis *axis, int width, const Field x, cons
     (void)width, (void)b;
     const double lo = axis->wall_lo, hi = axis->wall_hi;
     for (int p = 0; p < CHUNK; p++) {
-        const double c = at_most(at_least(floor(x[p] + 0.5), lo), hi), r = x[p] - c;
+        const double at = floor(x[p] + 0.5), c = at + (at < lo) - (at > hi), r = x[p] - c;
         const double low = c - 1 < lo, high = c + 1 > hi;
         const double down = 0.5 * (0.5 - r) * (0.5 - r), up = 0.5 * (0.5 + r) * (0.5 + r);
         const double gdown = r - 0.5, gup = r + 0.5;

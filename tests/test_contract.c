@@ -26,7 +26,7 @@ static void deposit_moments(Grid *g, const Work *w, const int width)
     const unsigned tables = 1u << T_R | 1u << T_Q;
     for (int p = 0; p < CHUNK; p++) FOR_ROWS(r, width)
         {
-            Line *node = g->node + row_start(g, w->stencil, p, width, r);
+            Line *node = g->node + first_node(g, w->stencil, p) + row_offset(g, width, r);
             Line y = w->A[p];
             if (DIM > 1) y *= row_weight(w->stencil, &q, p, width, r, tables);
             for (int i = 0; i < width; i++)

@@ -15,7 +15,7 @@ static double *positions_at(const Case *c, const Method *m, Integrator i, double
     CU_ASSERT_FATAL(rig_plan(&r, c, m->info.name, i, fresh ? "refresh=1;allow_unstable=1" : NULL));
     Sim *sim = rig_sim(&r);
     r.dt = T / steps;
-    CU_ASSERT(rig_steps(&r, sim, 0, steps));
+    CU_ASSERT_FATAL(rig_steps(&r, sim, 0, steps));
     double *s = rig_state(sim);
     *count = sim->p.count;
     sim_free(sim);

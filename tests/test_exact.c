@@ -96,7 +96,7 @@ static void test_gradient_of_field(void)
         r.plan.scene.mat = material_make(NEO_HOOKEAN, 1e-20, 0, 2);
         r.dt = 1e-2;
         Sim *sim = rig_sim(&r);
-        CU_ASSERT(rig_steps(&r, sim, 0, 1));
+        CU_ASSERT_FATAL(rig_steps(&r, sim, 0, 1));
         double *s = rig_state(sim);
         const int n = sim->p.count;
         for (int k = 0; k < n; k++)
@@ -195,7 +195,7 @@ static void test_contiguous(void)
         particle_solver.free(core);
         if (k == 0) continue; /* shrunk to 6 cells: nothing is deep inside */
         Sim *sim = rig_sim(&r);
-        CU_ASSERT(rig_steps(&r, sim, 0, 1));
+        CU_ASSERT_FATAL(rig_steps(&r, sim, 0, 1));
         check_forces(sim, &r);
         sim_free(sim);
     }
@@ -239,7 +239,7 @@ static void test_fall(void)
         rig_scene(&r, &falling, *m, i, 7, pow(2, DIM));
         r.plan.setup.refresh = !rig_valid(*m, i, false);
         Sim *sim = rig_sim(&r);
-        CU_ASSERT(rig_steps(&r, sim, 0, steps));
+        CU_ASSERT_FATAL(rig_steps(&r, sim, 0, steps));
         check_fall(&r, sim, steps);
         sim_free(sim);
     }

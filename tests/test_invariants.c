@@ -50,7 +50,7 @@ static void check_momentum(Rig *r)
     Sim *sim = rig_sim(r);
     const int n = sim->p.count;
     double *start = rig_state(sim);
-    CU_ASSERT(rig_steps(r, sim, 0, 20));
+    CU_ASSERT_FATAL(rig_steps(r, sim, 0, 20));
     double *end = rig_state(sim), size = momentum_of(start, n, before);
     momentum_of(end, n, after);
     for (int d = 0; d < DIM; d++) CHECK_CLOSE(after[d], before[d], 1e-12 * size);
@@ -74,7 +74,7 @@ static void check_mass(Rig *r)
     CU_ASSERT_PTR_NOT_NULL_FATAL(core);
     for (int k = 0; k < 8; k++) {
         double mass = 0;
-        CU_ASSERT(particle_solver.step(core, k * r->dt, r->dt, k == 0).code == OK);
+        CU_ASSERT_FATAL(particle_solver.step(core, k * r->dt, r->dt, k == 0).code == OK);
         particle_solver.nodes(core, &nodes);
         for (int i = 0; i < nodes.n; i++) mass += nodes.m[i];
         CHECK_CLOSE(mass, r->plan.scene.mat.rho, 1e-11); /* a unit block; empty nodes hold 1e-12 */
@@ -114,7 +114,7 @@ static void check_mirror(Rig *r)
         const int n = plain->p.count;
         double *field[FIELDS];
         mirror_fields(turned->p.field, n, axis, width);
-        CU_ASSERT(rig_steps(r, plain, 0, 5) && rig_steps(r, turned, 0, 5));
+        CU_ASSERT_FATAL(rig_steps(r, plain, 0, 5) && rig_steps(r, turned, 0, 5));
         double *a = rig_state(plain), *b = rig_state(turned);
         for (int f = 0; f < FIELDS; f++) field[f] = b + f * n;
         mirror_fields(field, n, axis, width);
@@ -135,7 +135,7 @@ static double *run_threads(Rig *r, int threads)
 {
     r->plan.setup.threads = threads;
     Sim *sim = rig_sim(r);
-    CU_ASSERT(rig_steps(r, sim, 0, 20));
+    CU_ASSERT_FATAL(rig_steps(r, sim, 0, 20));
     CU_ASSERT(sim->nblock >= 3);
     double *state = rig_state(sim);
     sim_free(sim);
@@ -193,7 +193,7 @@ static void check_empty_space(Rig *r)
     Sim *small = rig_sim(r), *large = rig_sim(&wide);
     const int n = small->p.count;
     CU_ASSERT_FATAL(large->p.count == n);
-    CU_ASSERT(rig_steps(r, small, 0, 10) && rig_steps(&wide, large, 0, 10));
+    CU_ASSERT_FATAL(rig_steps(r, small, 0, 10) && rig_steps(&wide, large, 0, 10));
     double *a = rig_state(small), *b = rig_state(large);
     for (int k = 0; k < DIM * n; k++) b[AT_X * n + k] -= moved;
     CU_ASSERT(rig_distance(a, b, n, false) < 1e-12); /* positions round off differently */
@@ -229,7 +229,7 @@ static void check_poison(Rig *r)
     CU_ASSERT(dirty->p.n > dirty->p.count);
     for (int k = 0; k < 20; k++) {
         poison(dirty);
-        CU_ASSERT(rig_steps(r, clean, k, k + 1) && rig_steps(r, dirty, k, k + 1));
+        CU_ASSERT_FATAL(rig_steps(r, clean, k, k + 1) && rig_steps(r, dirty, k, k + 1));
     }
     double *a = rig_state(clean), *b = rig_state(dirty);
     CU_ASSERT(memcmp(a, b, sizeof(double) * FIELDS * (size_t)clean->p.count) == 0);

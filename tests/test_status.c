@@ -91,7 +91,7 @@ static void test_nan(void)
         Rig r;
         CU_ASSERT_FATAL(rig_plan(&r, &c, (*m)->info.name, CD, NULL));
         Sim *sim = rig_sim(&r);
-        CU_ASSERT(rig_steps(&r, sim, 0, 2));
+        CU_ASSERT_FATAL(rig_steps(&r, sim, 0, 2));
         const int n = sim->p.count;
         for (int s = 0; s < sim->p.n; s++)
             if (sim->p.id[s] == n / 2) sim->p.field[AT_V][s] = NAN;
