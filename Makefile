@@ -31,7 +31,7 @@ HEADERS    = $(wildcard */*.h) $(wildcard */*.def)
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 
-.PHONY: all deps deps-extra test figures bench san lint fuzz clean force
+.PHONY: all deps deps-extra test figures bench san lint mutants fuzz clean force
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -107,6 +107,7 @@ $(BUILD)/tests/fem: $(FEM_TESTS:%=$(BUILD)/d2/tests/%.o) $(BUILD)/tests/check.o 
 test:
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(CLI_TEST)
+	bash tests/example.sh $(BUILD)/example
 	@for t in $(UNIT_TESTS); do (cd $(BUILD)/tests && OMP_WAIT_POLICY=passive $(CURDIR)/$$t) || exit 1; done
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
@@ -117,6 +118,10 @@ bench: all $(BUILD)/tests/bench
 $(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,bench twin twin_make) \
   $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+
+# Twenty-odd seeded faults in the mathematics: the tests must see each.
+mutants:
+	JOBS=$(JOBS) bash tests/mutants.sh $(BUILD)/mutants
 
 lint:
 	BUILD=$(BUILD)/lint bash tests/lint.sh

@@ -6,8 +6,8 @@
 #include "cli.h"
 #include "facts.h"
 
-static const Command *const commands[] = {&list_command, &describe_command, &run_command,
-                                          &study_command, &claims_command};
+static const Command *const commands[] = {&list_command,  &describe_command, &run_command,
+                                          &study_command, &claims_command,   &new_method_command};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 /* Files appear whole, so there is nothing to clean up. */
@@ -21,7 +21,8 @@ static int print_help(void)
 {
     printf("usage: mpmlab COMMAND ...\n"
            "Compares ways to move information between particles and a grid.\n\n");
-    for (int k = 0; k < COMMANDS; k++) printf("  %-9s %s\n", commands[k]->name, commands[k]->about);
+    for (int k = 0; k < COMMANDS; k++)
+        printf("  %-10s %s\n", commands[k]->name, commands[k]->about);
     printf("\n  --version  version, compiler, flags\n"
            "  --help     this text; after a command: its options\n");
     return 0;
