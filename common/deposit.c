@@ -1,6 +1,6 @@
 /* deposit.c: particles to nodes (passes.h). */
+#include "half_line.h"
 #include "passes.h"
-#include "scheme.h"
 
 static void clear_row(Grid *g, int row)
 {

@@ -208,50 +208,12 @@ static inline __attribute__((always_inline)) void gather(const Grid *g, Work *w,
     }
 }
 
-/* The first half of a line holds mass and momentum, or a node's v: all that a round of a velocity
- * filter moves, with weights S alone. */
-typedef double Half __attribute__((vector_size(LANES / 2 * sizeof(double)), may_alias));
-
 /* Product of S over all axes but the first. */
 static inline double row_share(const Stencil s[DIM], int p, int width, int r)
 {
     double y = 1;
     for (int d = 1; d < DIM; d++) y *= s[d].table[T_S][d == 1 ? r % width : r / width][p];
     return y;
-}
-
-static inline __attribute__((always_inline)) void deposit_half(Grid *g, const Work *w,
-                                                               const int width)
-{
-    for (int p = 0; p < CHUNK; p++) {
-        Line *const first = g->node + first_node(g, w->stencil, p);
-        const Half value = *(const Half *)&w->A[p];
-        FOR_ROWS(r, width)
-        {
-            Line *node = first + row_offset(g, width, r);
-            const Half row = value * row_share(w->stencil, p, width, r);
-            for (int i = 0; i < width; i++)
-                *(Half *)&node[i] += row * w->stencil[0].table[T_S][i][p];
-        }
-    }
-}
-
-static inline __attribute__((always_inline)) void gather_half(const Grid *g, Work *w,
-                                                              const int width)
-{
-    for (int p = 0; p < CHUNK; p++) {
-        const Line *const first = g->node + first_node(g, w->stencil, p);
-        Half sum = {0};
-        FOR_ROWS(r, width)
-        {
-            const Line *node = first + row_offset(g, width, r);
-            Half row = {0};
-            for (int i = 0; i < width; i++)
-                row += *(const Half *)&node[i] * w->stencil[0].table[T_S][i][p];
-            sum += row * row_share(w->stencil, p, width, r);
-        }
-        *(Half *)&w->A[p] = sum;
-    }
 }
 
 /* Body force m b of the chunk to the nodes, weights S. */

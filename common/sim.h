@@ -76,7 +76,7 @@ typedef struct Sim {
     double half_max;  /* widest half width that the stencils allow for, in cells */
     double half_plan; /* the one that the current order and spans were made for */
     double half_now;  /* widest now */
-    double key_shift;  /* particles are sorted by floor(x + this), in cells */
+    double key_shift; /* particles are sorted by floor(x + this), in cells */
     double travel;    /* farthest any particle may have moved since the last sort, in cells */
     double mass_cut;  /* nodes with less are empty [kg] */
     long nodes;       /* most live nodes so far */
