@@ -242,6 +242,19 @@ static void test_poison(void)
     for_pairs(check_poison);
 }
 
+/* Stencils wider than three nodes, and a block so fast that it drifts a cell between two sorts. */
+static void test_poison_wide(void)
+{
+    const Case wide[] = {{1, "free_block", 100, 0.7, 0, "drift=6;box=2"},
+                         {2, "free_block", 12, 1, 0, "drift=4;swing=3;box=2"}};
+    FOR_METHODS(m)
+    {
+        Rig r;
+        CU_ASSERT_FATAL(rig_plan(&r, &wide[DIM - 1], (*m)->info.name, UVF, "allow_unstable=1"));
+        check_poison(&r);
+    }
+}
+
 extern const TestCase invariants_tests[];
 const TestCase invariants_tests[] = {
     {"momentum", test_momentum},
@@ -251,5 +264,6 @@ const TestCase invariants_tests[] = {
     {"rows of several threads", test_thread_rows},
     {"empty space changes nothing", test_empty_space},
     {"unused nodes and padding are never read", test_poison},
+    {"nor with wide stencils", test_poison_wide},
     {NULL, NULL},
 };
