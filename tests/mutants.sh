@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # mutants.sh FOLDER [PATTERN]: are the unit tests worth their time? Applies the faults of mutants.list
 # one at a time to a copy of the tree below FOLDER and runs the core's tests, which must fail. Only
-# faults whose description matches PATTERN. A fault that no longer applies or compiles is an error.
+# faults whose description matches PATTERN, from number FROM on. A fault that no longer applies or compiles is an error.
 set -u
 mkdir -p "$1"
 tree=$(realpath "$1")/tree
@@ -15,7 +15,7 @@ build() { # DIM: its tests, without caring for speed
     make -s -C "$tree" -j"${JOBS:-2}" OPT='-O1 -march=native' "build/tests/core_$1d" >"$tree.log" 2>&1
 }
 green() { # DIM
-    (cd "$tree/build/tests" && OMP_WAIT_POLICY=passive timeout "${LIMIT:-300}" "./core_$1d" >"$tree.out" 2>&1)
+    (cd "$tree/build/tests" && OMP_WAIT_POLICY=passive timeout "${LIMIT:-120}" "./core_$1d" >"$tree.out" 2>&1)
 }
 
 mkdir -p "$tree"
@@ -36,8 +36,10 @@ while IFS='|' read -r file dim rest; do
     change=${rest%|*} what=${rest##*|}
     grep -q -- "$pattern" <<<"$what" || continue
     total=$((total + 1))
+    [ $total -lt "${FROM:-1}" ] && continue
+    cp "$tree/$file" "$tree.keep"
     sed -i "$change" "$tree/$file"
-    if cmp -s "$root/$file" "$tree/$file"; then
+    if cmp -s "$tree.keep" "$tree/$file"; then
         wrong=$((wrong + 1))
         say "no longer applies: $file: $what"
         continue
@@ -48,7 +50,8 @@ while IFS='|' read -r file dim rest; do
         green "$d" || { verdict=caught; caught=$((caught + 1)); break; }
     done
     say "$(printf '%2d %-16s %s: %s' $total "$verdict" "$file" "$what")"
-    cp "$root/$file" "$tree/$file"
+    cp "$tree.keep" "$tree/$file"
 done <"$list"
+total=$((total - ${FROM:-1} + 1))
 say "mutants: $caught of $total caught"
 [ $caught -eq $total ] && [ $wrong -eq 0 ]
