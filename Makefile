@@ -18,7 +18,7 @@ LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
 
 comma  = ,
 paren  = (
-FREE   = $(patsubst %,common/%.c,fault file info row spec table) \
+FREE   = $(patsubst %,common/%.c,fault file info row spec table vtk_file) \
          $(wildcard studies/*.c)
 DIMMED = $(filter-out $(FREE), $(wildcard common/*.c)) $(wildcard methods/*.c)
 problem_sources = $(shell sed -n 's/^PROBLEM$(paren)\([a-z_0-9]*\), $(1).*/problems\/\1.c/p' problems/problems.def)
@@ -31,7 +31,7 @@ HEADERS    = $(wildcard */*.h) $(wildcard */*.def)
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 
-.PHONY: all deps deps-extra test figures bench san lint mutants fuzz clean force
+.PHONY: all deps deps-extra test figures bench san lint mutants faults install uninstall builds repeat memcheck coverage fuzz fuzzers clean force
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -76,20 +76,28 @@ figures:
 
 # The tests write below build/ only; CUnit's summary comes last.
 CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
-UNIT_TESTS  = $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem
+UNIT_TESTS  = $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem \
+              $(BUILD)/tests/wls $(BUILD)/tests/scenes
+WRONG_TEST  = bash tests/wrong_inputs.sh $(BUILD)/mpmlab $(BUILD)/tests
+FAULT_TEST  = bash tests/faults.sh $(BUILD)/mpmlab $(BUILD)/tests
+FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/%.o,fuzz_run fuzz_files fuzz_tools)
 CORE_DIMS   = 1 2 3
 CORE_3      = main_3d rig twin twin_make $(patsubst %,test_%,twin shapes material exact)
 CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
               $(patsubst %,test_%,invariants order dynamics spots rules status methods)
 CORE_2      = $(CORE_1)
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
+WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_axis_mms
+SCENE_TESTS = test_disk_plate test_snapshot
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 
 $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -c -o $@ $<
 
-$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files test_study check) $(TEST_OBJECTS)
+$(BUILD)/tests/test_found.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/found"'
+$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files test_study test_found check) \
+  $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 
 # Tests of one dimension see its objects before their names are hidden.
@@ -100,7 +108,10 @@ $(BUILD)/tests/core_$(1)d: $(CORE_$(1):%=$(BUILD)/d$(1)/tests/%.o) $(BUILD)/test
 endef
 $(foreach d,$(CORE_DIMS),$(eval $(call dimension_tests,$(d))))
 
-$(BUILD)/tests/fem: $(FEM_TESTS:%=$(BUILD)/d2/tests/%.o) $(BUILD)/tests/check.o \
+$(BUILD)/tests/fem: $(FEM_TESTS:%=$(BUILD)/d2/tests/%.o)
+$(BUILD)/tests/wls: $(WLS_TESTS:%=$(BUILD)/d2/tests/%.o)
+$(BUILD)/tests/scenes: $(SCENE_TESTS:%=$(BUILD)/d2/tests/%.o)
+$(BUILD)/tests/fem $(BUILD)/tests/wls $(BUILD)/tests/scenes: $(BUILD)/tests/check.o \
   $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 
@@ -108,6 +119,9 @@ test:
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(CLI_TEST)
 	bash tests/example.sh $(BUILD)/example
+	$(WRONG_TEST)
+	$(FAULT_TEST)
+	bash tests/install.sh $(BUILD) $(BUILD)/tests
 	@for t in $(UNIT_TESTS); do (cd $(BUILD)/tests && OMP_WAIT_POLICY=passive $(CURDIR)/$$t) || exit 1; done
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
@@ -130,13 +144,58 @@ lint:
 san:
 	$(MAKE) BUILD=$(BUILD)/san ARCH= OPT='-O1 -fno-omit-frame-pointer' \
 	  SAN=-fsanitize=address,undefined test
+	$(MAKE) fuzz SECONDS=2
+
+# What takes minutes, each ending in a line of counts.
+builds repeat memcheck coverage:
+	bash tests/$@.sh $(BUILD)/$@
+
+# All faults, a hundred kills among them (minutes).
+faults: all
+	$(FAULT_TEST) 100 long
+
+# Bytes that break a property of what reads input: SECONDS for each; corpora stay in build/fuzz.
+FUZZERS = run set case journal table append
+SECONDS = 60
+
+fuzz:
+	SECONDS_EACH=$(SECONDS) bash tests/fuzz.sh $(BUILD)/fuzz $(FUZZERS)
+
+# make fuzzers BUILD=... CC=clang SAN=...: the programs alone (fuzz.sh asks for them)
+fuzzers: all $(FUZZERS:%=$(BUILD)/tests/fuzz_%)
+
+$(BUILD)/tests/fuzz_main_%.o: tests/fuzz_main.c $(HEADERS) Makefile
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -DFUZZ=fuzz_$* -c -o $@ $<
+
+$(FUZZERS:%=$(BUILD)/tests/fuzz_%): $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_main_%.o $(FUZZ_OBJECTS) $(TEST_OBJECTS)
+	$(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
+
+# The program looks for its plots beside itself, in ../share.
+PREFIX  = /usr/local
+INSTALL = $(DESTDIR)$(PREFIX)
+SHARED  = $(INSTALL)/share/mpmlab
+MANUALS = $(INSTALL)/share/man/man1
+WORDS   = $(INSTALL)/share/bash-completion/completions
+
+install: all
+	install -D -m 755 $(BUILD)/mpmlab "$(INSTALL)/bin/mpmlab"
+	install -d "$(SHARED)/plots" "$(MANUALS)" "$(WORDS)"
+	install -m 644 plots/*.gp "$(SHARED)/plots"
+	$(BUILD)/mpmlab --man > "$(MANUALS)/mpmlab.1"
+	$(BUILD)/mpmlab --completion > "$(WORDS)/mpmlab"
+
+uninstall:
+	rm -f "$(INSTALL)/bin/mpmlab" "$(MANUALS)/mpmlab.1" "$(WORDS)/mpmlab"
+	rm -rf "$(SHARED)"
 
 deps:
 	@bash tests/deps.sh gcc make binutils libc6-dev libgsl-dev libjansson-dev zlib1g-dev \
 	  libcunit1-dev gnuplot-nox fonts-dejavu-core
 
 deps-extra:
-	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind libclang-rt-14-dev libomp-14-dev
+	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind shellcheck \
+	  libclang-rt-14-dev libomp-14-dev python3-vtk9 python3-numpy
 
 clean:
 	rm -rf $(BUILD)

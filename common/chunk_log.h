@@ -13,9 +13,9 @@ static inline double log_one(double x)
     const double ln2_hi = 6.93147180369123816490e-01, ln2_lo = 1.90821492927058770002e-10;
     int64_t bits, mant;
     memcpy(&bits, &x, sizeof bits);
-    int64_t top =
-        bits + (0x3ff0000000000000 - 0x3fe6a09e667f3bcd); /* so that m starts at sqrt(1/2) */
-    int64_t e = (int64_t)((uint64_t)top >> 52) - 1023;
+    uint64_t top = (uint64_t)bits +
+                   (0x3ff0000000000000 - 0x3fe6a09e667f3bcd); /* so that m starts at sqrt(1/2) */
+    int64_t e = (int64_t)(top >> 52) - 1023;
     mant = (int64_t)((uint64_t)bits - ((uint64_t)e << 52));
     int64_t e_bits =
         e + 0x4338000000000000; /* 2^52 + 2^51 + e: integer to double without AVX-512 */

@@ -1,5 +1,7 @@
 /* deposit.c: particles to nodes (passes.h). */
+#include <string.h>
 #include "half_line.h"
+#include "moments.h"
 #include "passes.h"
 
 static void clear_row(Grid *g, int row)
@@ -12,20 +14,45 @@ static void clear_row(Grid *g, int row)
         for (int a = 0; a < DIM; a++) g->force[(start + (size_t)i) * DIM + (size_t)a] = 0;
 }
 
+void sim_stress(const Sim *sim, const Chunk *c, Field T[NMAT])
+{
+    kirchhoff(&sim->setup->scene->mat, (const double *const *)c->F, T);
+}
+
+void sim_body(const Sim *sim, const Chunk *c, double t, Field b[DIM])
+{
+    const Scene *scene = sim->setup->scene;
+    double *to[DIM];
+    for (int a = 0; a < DIM; a++) to[a] = b[a];
+    if (scene->problem->body)
+        scene->problem->body(scene, CHUNK, c->X, t, to);
+    else
+        for (int a = 0; a < DIM; a++)
+            for (int p = 0; p < CHUNK; p++) b[a][p] = 0;
+}
+
+double sim_distance(const Sim *sim, const int index[DIM], double t)
+{
+    const Scene *scene = sim->setup->scene;
+    Vec x;
+    for (int d = 0; d < DIM; d++) x[d] = (index[d] + sim->g.origin[d]) * sim->dx;
+    return scene->problem->distance ? scene->problem->distance(scene, x, t) * sim->g.cells : NAN;
+}
+
 /* Stress of a chunk as momentum flux V0 J sigma / h [N], or none. */
 static void chunk_stress(const Sim *sim, const Chunk *c, bool force, Field T[NMAT])
 {
-    if (force) kirchhoff(&sim->setup->scene->mat, (const double *const *)c->F, T);
-    for (int k = 0; k < NMAT; k++)
-        for (int p = 0; p < CHUNK; p++) T[k][p] = force ? T[k][p] * c->V0[p] * sim->g.cells : 0;
+    Field weight;
+    for (int p = 0; p < CHUNK; p++) weight[p] = c->V0[p] * sim->g.cells;
+    if (force)
+        kirchhoff_weighted(&sim->setup->scene->mat, (const double *const *)c->F, weight, T);
+    else
+        memset(T, 0, sizeof(Field) * NMAT);
 }
 
 static void chunk_body(const Sim *sim, const Chunk *c, double t, Field body[DIM])
 {
-    const Scene *scene = sim->setup->scene;
-    double *b[DIM];
-    for (int a = 0; a < DIM; a++) b[a] = body[a];
-    scene->problem->body(scene, CHUNK, c->X, t, b);
+    sim_body(sim, c, t, body);
     for (int a = 0; a < DIM; a++)
         for (int p = 0; p < CHUNK; p++) body[a][p] *= c->m[p];
 }
@@ -70,16 +97,25 @@ static void deposit_chunk(Sim *sim, int k, double t, Deposit what, Work *w)
         deposit_force(g, w, width);
 }
 
+static void clear_all(Sim *sim)
+{
+    Grid *g = &sim->g;
+#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
+    for (int row = 0; row < g->rows; row++)
+        if (g->lo[row] < g->hi[row]) clear_row(g, row);
+}
+
 /* Even blocks, then odd blocks: two of one parity never meet, so sums have one order. */
 void deposit_all(Sim *sim, double t, Deposit what)
 {
-    Grid *g = &sim->g;
+    clear_all(sim);
+    if (sim->method.assemble) {
+        sim->method.assemble(sim, t, what == FORCES);
+        return;
+    }
 #pragma omp parallel num_threads(sim->setup->threads)
     {
         Work w;
-#pragma omp for schedule(static)
-        for (int row = 0; row < g->rows; row++)
-            if (g->lo[row] < g->hi[row]) clear_row(g, row);
         for (int parity = 0; parity < 2; parity++) {
 #pragma omp for schedule(dynamic, 1)
             for (int b = parity; b < sim->nblock; b += 2)

@@ -5,14 +5,28 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { LONGEST_TEXT = sizeof((Fault *)NULL)->text, HALF = LONGEST_TEXT / 2 - 3, MOST = 1 << 14 };
+
+/* What is too long (a path) loses its middle: the reason stands at the end. */
+static void shorten(const char *whole, int n, char out[LONGEST_TEXT])
+{
+    const int there = n < MOST ? n : MOST - 1;
+    if (n < LONGEST_TEXT)
+        memcpy(out, whole, (size_t)n + 1);
+    else
+        snprintf(out, LONGEST_TEXT, "%.*s...%s", HALF, whole, whole + there - HALF);
+}
+
 int fault_set(Fault *f, int code, const char *format, ...)
 {
     if (!f) return code;
     va_list args;
     va_start(args, format);
     f->code = code;
-    vsnprintf(f->text, sizeof f->text, format, args);
+    char whole[MOST];
+    int n = vsnprintf(whole, sizeof whole, format, args);
     va_end(args);
+    shorten(whole, n, f->text);
     for (char *c = f->text; *c; c++) /* typed text may hold anything: a fault stays one line */
         if ((unsigned char)*c < ' ') *c = ' ';
     return code;
@@ -31,7 +45,7 @@ static int edit_distance(const char *a, const char *b)
 {
     int row[LONGEST_NAME + 1], nb = (int)strnlen(b, LONGEST_NAME);
     for (int j = 0; j <= nb; j++) row[j] = j;
-    for (int i = 0; a[i]; i++) {
+    for (int i = 0; i < 2 * LONGEST_NAME && a[i]; i++) { /* nobody means a name by more */
         int diagonal = row[0];
         row[0] = i + 1;
         for (int j = 0; j < nb; j++) {

@@ -16,13 +16,17 @@ static void beside(const char *path, char out[PATH_MAX])
     snprintf(out, PATH_MAX, "%.4000s.%d.tmp", path, (int)getpid());
 }
 
+static void folder_of(const char *path, char out[PATH_MAX])
+{
+    const char *slash = strrchr(path, '/');
+    snprintf(out, PATH_MAX, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
+}
+
 /* A file without a name in path's folder; -1 where the file system has none. */
 static int open_nameless(const char *path)
 {
-    const char *slash = strrchr(path, '/');
     char folder[PATH_MAX];
-    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1,
-             slash ? path : ".");
+    folder_of(path, folder);
     return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
 }
 
@@ -32,6 +36,19 @@ static int is_special(const char *path)
 {
     struct stat s;
     return stat(path, &s) == 0 && !S_ISREG(s.st_mode);
+}
+
+int file_check(const char *path, Fault *fault)
+{
+    struct stat s;
+    char folder[PATH_MAX];
+    folder_of(path, folder);
+    int there = stat(path, &s) == 0;
+    if (there && S_ISDIR(s.st_mode))
+        errno = EISDIR;
+    else if (there ? access(path, W_OK) == 0 : access(folder, W_OK | X_OK) == 0)
+        return 0;
+    return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
 }
 
 FILE *file_begin(const char *path, Fault *fault)

@@ -1,5 +1,6 @@
 /* gather.c: nodes to particles, and a look at what became of them (passes.h). */
 #include "half_line.h"
+#include "moments.h"
 #include "passes.h"
 
 /* Extremes of one block of particles, kept per lane so that the loops vectorize. */

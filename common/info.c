@@ -32,7 +32,8 @@ static int choice(const char *choices, int k, const char **word)
     const char *c = choices;
     for (; k > 0; k--) {
         c = strchr(c, '|');
-        if (!c++) return 0;
+        if (!c) return 0;
+        c++;
     }
     *word = c;
     return (int)strcspn(c, "|");

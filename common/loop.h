@@ -6,12 +6,16 @@
 #include "norm.h"
 #include "output.h"
 #include "resolve.h"
+#include "snapshot.h"
 
 typedef struct Loop {
     const Plan *plan;
     void *self;
     Scratch scratch;
     FILE *history;
+    Snapshots shots; /* dir NULL: none are asked for */
+    int code;        /* 0, or what went wrong with an output */
+    Fault *fault;
     double dt;
     long n, done;               /* steps planned and finished */
     double cpu, wall;           /* [s] inside the solver's step */

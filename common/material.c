@@ -42,50 +42,59 @@ static inline double left_cauchy(const Mat F, int a, int b)
 }
 
 /* W11 eq 32 times J: lambda ln J I + mu (F F^T - I). */
-static void kirchhoff_neo_hookean(const Material *m, const double *const F[NMAT], Field T[NMAT])
+static inline void neo_hookean(const Material *m, const Mat f, Mat T)
 {
-    const double lambda = m->lambda, mu = m->mu;
-    Field J, ln_J;
-    for (int p = 0; p < CHUNK; p++) {
-        Mat f;
-        load(F, p, f);
-        J[p] = determinant(f);
-        for (int a = 0; a < DIM; a++)
-            for (int b = 0; b < DIM; b++)
-                T[a * DIM + b][p] = mu * (left_cauchy(f, a, b) - (a == b));
-    }
-    for (int p = 0; p < CHUNK; p++) ln_J[p] = log_one(J[p]);
+    const double pressure = m->lambda * log_one(determinant(f));
     for (int a = 0; a < DIM; a++)
-        for (int p = 0; p < CHUNK; p++) T[a * DIM + a][p] += lambda * ln_J[p];
+        for (int b = 0; b < DIM; b++)
+            T[a * DIM + b] = m->mu * (left_cauchy(f, a, b) - (a == b)) + (a == b ? pressure : 0);
 }
 
 /* P = lambda tr(H) I + mu (H + H^T), H = F - I; T = P F^T (symmetric only to first order in H). */
-static void kirchhoff_linear(const Material *m, const double *const F[NMAT], Field T[NMAT])
+static inline void linear(const Material *m, const Mat f, Mat T)
 {
+    Mat P;
+    double trace = -DIM;
+    for (int a = 0; a < DIM; a++) trace += f[a * DIM + a];
+    for (int a = 0; a < DIM; a++)
+        for (int b = 0; b < DIM; b++)
+            P[a * DIM + b] = m->mu * (f[a * DIM + b] + f[b * DIM + a] - 2 * (a == b)) +
+                             (a == b) * m->lambda * trace;
+    for (int a = 0; a < DIM; a++)
+        for (int b = 0; b < DIM; b++) {
+            T[a * DIM + b] = 0;
+            for (int k = 0; k < DIM; k++) T[a * DIM + b] += P[a * DIM + k] * f[b * DIM + k];
+        }
+}
+
+/* One law over a chunk; `law` is a constant in each instance. */
+static inline __attribute__((always_inline)) void
+stress_loop(void (*law)(const Material *, const Mat, Mat), const Material *m,
+            const double *const F[NMAT], const double weight[CHUNK], Field T[NMAT])
+{
+    const Material own = *m; /* its numbers stay in registers */
     for (int p = 0; p < CHUNK; p++) {
-        Mat f, P;
-        double trace = -DIM;
+        Mat f, t;
         load(F, p, f);
-        for (int a = 0; a < DIM; a++) trace += f[a * DIM + a];
-        for (int a = 0; a < DIM; a++)
-            for (int b = 0; b < DIM; b++)
-                P[a * DIM + b] = m->mu * (f[a * DIM + b] + f[b * DIM + a] - 2 * (a == b)) +
-                                 (a == b) * m->lambda * trace;
-        for (int a = 0; a < DIM; a++)
-            for (int b = 0; b < DIM; b++) {
-                double t = 0;
-                for (int k = 0; k < DIM; k++) t += P[a * DIM + k] * f[b * DIM + k];
-                T[a * DIM + b][p] = t;
-            }
+        law(&own, f, t);
+        for (int k = 0; k < NMAT; k++) T[k][p] = t[k] * weight[p];
     }
+}
+
+void kirchhoff_weighted(const Material *m, const double *const F[NMAT], const double weight[CHUNK],
+                        Field T[NMAT])
+{
+    if (m->law == LINEAR)
+        stress_loop(linear, m, F, weight, T);
+    else
+        stress_loop(neo_hookean, m, F, weight, T);
 }
 
 void kirchhoff(const Material *m, const double *const F[NMAT], Field T[NMAT])
 {
-    if (m->law == LINEAR)
-        kirchhoff_linear(m, F, T);
-    else
-        kirchhoff_neo_hookean(m, F, T);
+    Field one;
+    for (int p = 0; p < CHUNK; p++) one[p] = 1;
+    kirchhoff_weighted(m, F, one, T);
 }
 
 /* W11 eq 31 (its "- 2" is the trace of the identity in 2D). */

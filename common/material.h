@@ -26,6 +26,10 @@ wave_speed_bound(const Material *m); /* sqrt((lambda + 3 mu)/rho), W11 eq 33: an
  * J <= 0 the result is NaN (neo-Hookean) or finite nonsense (linear): the caller checks J. */
 void kirchhoff(const Material *m, const double *const F[NMAT], Field T[NMAT]);
 
+/* The same times a weight per particle: V0/h makes it the momentum flux of a deposit. */
+void kirchhoff_weighted(const Material *m, const double *const F[NMAT], const double weight[CHUNK],
+                        Field T[NMAT]);
+
 /* Stored energy per reference volume psi [J/m^DIM] for n particles. */
 void stored_energy(const Material *m, int n, const double *const F[NMAT], double psi[]);
 
@@ -43,6 +47,15 @@ static inline double determinant(const Mat F)
                (F[(DIM + b) % NMAT] * F[NMAT - DIM + c] - F[(DIM + c) % NMAT] * F[NMAT - DIM + b]);
     }
     return det;
+}
+
+/* Cofactor (a, b): J F^-T, which turns reference normals into current ones. */
+static inline double cofactor(const Mat F, int a, int b)
+{
+    if (DIM == 1) return 1;
+    if (DIM == 2) return (a == b ? 1 : -1) * F[((1 - a) * DIM + 1 - b) % NMAT];
+    const int i = (a + 1) % DIM, j = (a + 2) % DIM, k = (b + 1) % DIM, l = (b + 2) % DIM;
+    return F[i * DIM + k] * F[j * DIM + l] - F[i * DIM + l] * F[j * DIM + k];
 }
 
 #endif

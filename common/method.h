@@ -17,6 +17,7 @@
 #include <stdbool.h>
 #include "dim.h"
 #include "info.h"
+#include "points.h"
 
 enum {
     MAX_WIDTH = 33, /* nodes per axis that a stencil may span */
@@ -39,6 +40,7 @@ enum {
 typedef struct Chunk {
     double *x[DIM], *v[DIM], *F[NMAT], *L[NMAT], *u[DIM], *w[DIM];
     const double *X[DIM], *m, *V0;
+    const double *normal[DIM]; /* reference normals of surface points, or NULL */
     const int *id;
 } Chunk;
 
@@ -54,6 +56,7 @@ typedef struct Stencil {
 /* What a shape may know of its axis: where walls stand, in cells from node 0 (or +-infinity). */
 typedef struct Axis {
     double wall_lo, wall_hi;
+    bool open_lo, open_hi; /* the wall leaves the motion across it free: the body may cross it */
 } Axis;
 
 /* What a chunk deposits. */
@@ -63,19 +66,24 @@ typedef struct Payload {
                         * `moments` m L_ad D_d, D_d = sum_i S (x_i - x_p)_d^2 [m^2] as it is now */
 } Payload;
 
+struct Sim;
+
 typedef struct Method {
     Info info;
-    unsigned valid;       /* bit per Integrator: published or proven sound */
-    unsigned valid_fresh; /* more of them with refresh=1 */
-    int integrator[4];    /* default by dimension, [0] unused */
-    bool keeps_L;         /* the particle carries its velocity gradient from step to step */
-    bool affine;          /* payload fills B */
-    bool moments;         /* update also reads, and B holds, moments of v about the particle */
-    bool pic;             /* update replaces v by the grid's (for the walls' share of momentum) */
-    bool turns;           /* keeps angular momentum, sum m (x x v) + its moments, to round-off */
-    bool linear_exact;    /* projects linear fields exactly from any particle set */
-    bool surface;         /* needs surface particles */
-    bool smooth;          /* weights are C1: S ~ eps^2, dS/dx ~ eps at the edge of a support */
+    unsigned valid;          /* bit per Integrator: published or proven sound */
+    unsigned valid_fresh;    /* more of them with refresh=1 */
+    int integrator[4];       /* default by dimension, [0] unused */
+    bool keeps_L;            /* the particle carries its velocity gradient from step to step */
+    bool affine;             /* payload fills B */
+    bool moments;            /* update also reads, and B holds, moments of v about the particle */
+    bool pic;                /* update replaces v by the grid's (for the walls' momentum) */
+    bool turns;              /* keeps angular momentum, sum m (x x v) + its moments */
+    bool linear_exact;       /* projects linear fields exactly from any particle set */
+    bool surface;            /* needs surface particles: */
+    double surface_per_cell; /* so many along a cell's length; 0: as dense as particles */
+    bool about_node;         /* sorted by nearest node, though an odd stencil does not ask for it */
+    bool wall_images;        /* gathers from images of nodes beyond walls, not from held nodes */
+    bool smooth;             /* weights are C1: S ~ eps^2, dS/dx ~ eps at the edge of a support */
 
     /* Nodes per axis for half widths up to b [cells]; at most MAX_WIDTH. */
     int (*width)(double b);
@@ -98,7 +106,21 @@ typedef struct Method {
     int (*filter)(const double *par, double c[]);
     bool filter_first;
 
-    /* How the method chooses among stages by parameter, or NULL: changes the run's own copy. */
+    /* Optional, for methods whose nodes do not come from the deposit above (WLS: least squares and
+     * an integral over cells). `assemble` takes the place of the deposit and leaves every node as a
+     * deposit would: lane 0 mass, momentum, spare lanes mass, internal force in the lanes from FLUX
+     * on, body force in Grid.force; on the real side of symmetry lines only. `repair` comes after
+     * symmetry has folded the nodes and before a = f/m. */
+    void (*assemble)(struct Sim *sim, double t, bool force);
+    void (*repair)(struct Sim *sim);
+
+    /* Shows the polygons that the last `assemble` integrated over, for output; or NULL. */
+    void (*patches)(const struct Sim *sim, PatchVisit *visit, void *own);
+
+    /* Its workspace Sim.own, once a run (false: out of memory), and how it chooses its stages by
+     * parameter: `adapt` changes the run's own copy of this struct. */
+    bool (*make)(struct Sim *sim);
+    void (*free)(struct Sim *sim);
     void (*adapt)(const double par[], struct Method *own);
 } Method;
 

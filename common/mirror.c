@@ -2,6 +2,7 @@
  * With ghost i' the image of node i: a deposit of the mirrored body at i is the parity times the
  * real deposit at i'; on the line itself it is the parity times its own. */
 #include <limits.h>
+#include <math.h>
 #include "sim.h"
 
 /* -1 in lanes whose component is normal to the axis, +1 else; 0 in the spare lanes, which keep the
@@ -26,13 +27,11 @@ static Line gather_parity(int axis)
     return parity;
 }
 
-typedef void Visit(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row, double dt);
-
 static void fold_node(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
-                      double dt)
+                      void *own)
 {
     Grid *g = &sim->g;
-    (void)image_row, (void)dt;
+    (void)image_row, (void)own;
     g->node[image] += deposit_parity(m->axis) * g->node[ghost];
     for (int a = 0; g->force && a < DIM; a++)
         g->force[image * DIM + (size_t)a] +=
@@ -40,9 +39,10 @@ static void fold_node(Sim *sim, const Mirror *m, size_t ghost, size_t image, int
 }
 
 static void unfold_node(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
-                        double dt)
+                        void *own)
 {
     Grid *g = &sim->g;
+    const double dt = *(const double *)own;
     if (ghost == image) return;
     const double mass = g->node[ghost][1 + DIM];
     g->node[ghost] = gather_parity(m->axis) * g->node[image];
@@ -65,19 +65,19 @@ bool grid_is_ghost_row(const Grid *g, int row, int above)
 
 /* All pairs of live ghost and image nodes of one mirror line, the line's own nodes included. Rows
  * that are ghosts of a later axis are left out on the way back: that axis will fill them whole. */
-static void visit_pairs(Sim *sim, const Mirror *m, Visit *visit, double dt)
+static void visit_pairs(Sim *sim, const Mirror *m, bool back, PairVisit *visit, void *own)
 {
     Grid *g = &sim->g;
     int stride = 1; /* of rows along the axis */
     for (int d = 1; d < m->axis; d++) stride *= g->n[d];
     for (int row = 0; row < g->rows; row++) {
-        if (visit == unfold_node && grid_is_ghost_row(g, row, m->axis)) continue;
+        if (back && grid_is_ghost_row(g, row, m->axis)) continue;
         if (DIM == 1 || m->axis == 0) {
             const int from = m->side < 0 ? g->lo[row] : m->at;
             const int to = m->side < 0 ? m->at + 1 : g->hi[row];
             for (int i = from; i < to && g->hi[row] > g->lo[row]; i++)
                 visit(sim, m, (size_t)row * (size_t)g->n[0] + (size_t)i,
-                      (size_t)row * (size_t)g->n[0] + (size_t)(2 * m->at - i), row, dt);
+                      (size_t)row * (size_t)g->n[0] + (size_t)(2 * m->at - i), row, own);
             continue;
         }
         const int k = row / stride % g->n[m->axis];
@@ -85,18 +85,42 @@ static void visit_pairs(Sim *sim, const Mirror *m, Visit *visit, double dt)
         const int image = row + 2 * (m->at - k) * stride;
         for (int i = g->lo[row]; i < g->hi[row]; i++)
             visit(sim, m, (size_t)row * (size_t)g->n[0] + (size_t)i,
-                  (size_t)image * (size_t)g->n[0] + (size_t)i, image, dt);
+                  (size_t)image * (size_t)g->n[0] + (size_t)i, image, own);
     }
+}
+
+void grid_visit_pairs(Sim *sim, bool back, PairVisit *visit, void *own)
+{
+    for (int k = 0; k < sim->g.nmirror; k++) visit_pairs(sim, &sim->g.mirror[k], back, visit, own);
 }
 
 void grid_fold(Sim *sim)
 {
-    for (int k = 0; k < sim->g.nmirror; k++) visit_pairs(sim, &sim->g.mirror[k], fold_node, 0);
+    grid_visit_pairs(sim, false, fold_node, NULL);
 }
 
 void grid_unfold(Sim *sim, double dt)
 {
-    for (int k = 0; k < sim->g.nmirror; k++) visit_pairs(sim, &sim->g.mirror[k], unfold_node, dt);
+    grid_visit_pairs(sim, true, unfold_node, &dt);
+}
+
+size_t grid_image(const Grid *g, const int index[DIM], double sign[DIM])
+{
+    int own[DIM];
+    for (int d = 0; d < DIM; d++) own[d] = index[d], sign[d] = 1;
+    for (int k = 0; k < g->nmirror; k++) {
+        const Mirror *m = &g->mirror[k];
+        if (m->side * (own[m->axis] - m->at) <= 0) continue;
+        own[m->axis] = 2 * m->at - own[m->axis];
+        sign[m->axis] = -1;
+    }
+    int row = 0;
+    for (int d = DIM - 1; d > 0; d--) {
+        if (own[d] < 0 || own[d] >= g->n[d]) return NOWHERE;
+        row = row * g->n[d] + own[d];
+    }
+    if (own[0] < g->lo[row] || own[0] >= g->hi[row]) return NOWHERE;
+    return (size_t)row * (size_t)g->n[0] + (size_t)own[0];
 }
 
 /* The image of every live ghost is live. */
@@ -124,4 +148,43 @@ static void mirror_spans(Grid *g, const Mirror *m)
 void grid_mirror_spans(Grid *g)
 {
     for (int k = 0; k < g->nmirror; k++) mirror_spans(g, &g->mirror[k]);
+}
+
+/* Velocity and acceleration of node `at` from its image across a wall that holds components `held`.
+ */
+static void reflect(Grid *g, size_t at, size_t image, unsigned held)
+{
+    for (int l = 0; l < LANES; l++) {
+        const int a = l < FLUX ? l % DIM : (l - FLUX) % DIM;
+        g->node[at][l] = (held >> a & 1 ? -1 : 1) * g->node[image][l];
+    }
+}
+
+/* Two lines of nodes beyond the wall at index `at`, towards `side`. */
+static void wall_images(Grid *g, int axis, int at, int side)
+{
+    for (int row = 0; row < g->rows; row++)
+        for (int k = 1; k <= 2; k++) {
+            int index[DIM], image[DIM], rest = row;
+            double sign[DIM];
+            for (int d = 1; d < DIM; d++) index[d] = image[d] = rest % g->n[d], rest /= g->n[d];
+            if (axis > 0 && index[axis % DIM] != at + side * k) continue;
+            if (axis > 0) image[axis % DIM] = at - side * k;
+            const int from = axis > 0 ? g->lo[row] : at + side * k;
+            const int to = axis > 0 ? g->hi[row] : at + side * k + 1;
+            for (index[0] = from; index[0] < to && g->lo[row] < g->hi[row]; index[0]++) {
+                image[0] = axis > 0 ? index[0] : at - side * k;
+                const size_t ghost = grid_image(g, index, sign), own = grid_image(g, image, sign);
+                if (ghost != NOWHERE && own != NOWHERE) reflect(g, ghost, own, g->hold[axis][at]);
+            }
+        }
+}
+
+void grid_wall_images(Sim *sim)
+{
+    Grid *g = &sim->g;
+    for (int d = 0; d < DIM; d++) {
+        if (isfinite(g->axis[d].wall_lo)) wall_images(g, d, (int)g->axis[d].wall_lo, -1);
+        if (isfinite(g->axis[d].wall_hi)) wall_images(g, d, (int)g->axis[d].wall_hi, 1);
+    }
 }

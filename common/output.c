@@ -1,19 +1,13 @@
 /* output.c: see output.h. Columns are the same in every dimension; absent ones stay empty. */
 #include <math.h>
-#include <stdlib.h>
 #include "output.h"
+#include "state.h"
 #include "table.h"
 
 static void number(FILE *out, double x, const char *after)
 {
     if (!isnan(x)) fprintf(out, "%.17g", x);
     fputs(after, out);
-}
-
-/* Component (a, b) of a matrix of point k, empty beyond DIM. */
-static double entry(double *const M[NMAT], int a, int b, int k)
-{
-    return a < DIM && b < DIM ? M[(a * DIM + b) % NMAT][k] : NAN;
 }
 
 static double axis(const double *const v[DIM], int a, int k)
@@ -41,68 +35,55 @@ void history_line(FILE *out, const Moment *m)
     for (int k = 0; k < n; k++) number(out, columns[k], k + 1 < n ? "," : "\n");
 }
 
-/* sqrt(3/2 s:s) of the Cauchy stress, plane strain in 2D, uniaxial in 1D. */
-static double von_mises(double xx, double yy, double xy, double zz)
+/* Component k of a row of three, empty beyond DIM. */
+static double component(const double row[3], int k)
 {
-    const double a = xx - yy, b = yy - zz, c = zz - xx;
-    return sqrt(0.5 * (a * a + b * b + c * c) + 3 * xy * xy);
+    return k < DIM ? row[k] : NAN;
 }
 
-static void particle_line(FILE *out, const Scene *scene, const Points *p, double *const F[NMAT],
-                          double *const sigma[NMAT], int k)
+static void state_line(FILE *out, const State *s, int k)
 {
-    Mat f;
-    for (int c = 0; c < NMAT; c++) f[c] = F[c][k];
-    const double xx = sigma[0][k], yy = entry(sigma, 1, 1, k), xy = entry(sigma, 0, 1, k);
-    const double zz = DIM == 2 ? out_of_plane_stress(&scene->mat, f) : entry(sigma, 2, 2, k);
-    fprintf(out, "%d,", p->id[k]);
-    for (int a = 0; a < 2; a++) number(out, axis(p->X, a, k), ",");
-    for (int a = 0; a < 2; a++) number(out, axis(p->x, a, k), ",");
-    for (int a = 0; a < 2; a++) number(out, axis(p->v, a, k), ",");
-    for (int a = 0; a < 2; a++)
-        for (int b = 0; b < 2; b++) number(out, entry(F, a, b, k), ",");
-    number(out, xx, ",");
-    number(out, yy, ",");
-    number(out, xy, ",");
-    number(out, zz, ",");
-    number(out, DIM == 1 ? fabs(xx) : von_mises(xx, yy, xy, zz), ",");
-    number(out, p->m[k], p->m[k] > 0 ? ",0\n" : ",1\n");
+    const double *f = s->F[k], *t = s->sigma[k];
+    const double tensors[] = {f[0], f[1], f[3], f[4], t[0], t[4], t[1], t[8]};
+    const bool in_line[] = {1, 0, 0, 0, 1, 0, 0, 0}; /* what there is of them in 1D */
+    const double *const vectors[] = {s->X[k], s->x[k], s->v[k]};
+    fprintf(out, "%lld,", (long long)s->id[k]);
+    for (int v = 0; v < 3; v++)
+        for (int a = 0; a < 2; a++) number(out, component(vectors[v], a), ",");
+    for (int c = 0; c < 8; c++) number(out, DIM > 1 || in_line[c] ? tensors[c] : NAN, ",");
+    number(out, s->von_mises[k], ",");
+    number(out, s->m[k], s->surface[k] ? ",1," : ",0,");
+    number(out, s->energy[k], "\n");
 }
 
-/* slot[id], so that rows come in placement order. */
-static int *slots_by_id(const Points *p, int *count)
+static int write_state(const char *path, const State *s, Fault *fault)
 {
-    int *slot = malloc(sizeof(int) * (size_t)(p->n + 1));
-    *count = 0;
-    for (int k = 0; slot && k < p->n; k++)
-        if (p->id[k] >= 0) {
-            slot[p->id[k]] = k;
-            *count += 1;
-        }
-    return slot;
+    FILE *out = file_begin(path, fault);
+    if (!out) return FAULT_MACHINE;
+    fputs("id,X,Y,x,y,vx,vy,Fxx,Fxy,Fyx,Fyy,sxx,syy,sxy,szz,von_mises,mass,surface,energy\n", out);
+    for (int k = 0; k < s->n; k++) state_line(out, s, k);
+    return file_commit(out, path, fault);
 }
 
 int write_particles(const char *path, const Scene *scene, const Solver *solver, const void *self,
                     Fault *fault)
 {
-    Points p;
-    Samples q;
-    int count;
-    solver->view(self, &p, &q);
-    int *slot = slots_by_id(&p, &count);
-    double *room = malloc(sizeof(double) * 2 * NMAT * (size_t)(p.n + 1)), *M[2 * NMAT];
-    FILE *out = slot && room ? file_begin(path, fault) : NULL;
-    if (!slot || !room) fault_set(fault, FAULT_MACHINE, "out of memory writing %s", path);
-    if (!out) {
-        free(room), free(slot);
-        return FAULT_MACHINE;
-    }
-    for (int k = 0; k < 2 * NMAT; k++) M[k] = room + (size_t)k * (size_t)p.n;
-    solver->point_stress(self, M, M + NMAT);
-    fputs("id,X,Y,x,y,vx,vy,Fxx,Fxy,Fyx,Fyy,sxx,syy,sxy,szz,von_mises,mass,surface\n", out);
-    for (int k = 0; k < count; k++) particle_line(out, scene, &p, M, M + NMAT, slot[k]);
-    free(room), free(slot);
-    return file_commit(out, path, fault);
+    State s;
+    if (state_of_points(&s, scene, solver, self, fault)) return FAULT_MACHINE;
+    const int code = write_state(path, &s, fault);
+    state_free(&s);
+    return code;
+}
+
+int write_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                  Fault *fault)
+{
+    State s;
+    if (!solver->elements) return write_particles(path, scene, solver, self, fault);
+    if (state_of_elements(&s, scene, solver, self, fault)) return FAULT_MACHINE;
+    const int code = write_state(path, &s, fault);
+    state_free(&s);
+    return code;
 }
 
 int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault)

@@ -20,6 +20,11 @@ void history_line(FILE *out, const Moment *m);
 int write_particles(const char *path, const Scene *scene, const Solver *solver, const void *self,
                     Fault *fault);
 
+/* What carries strain, the same columns: elements of a mesh (positions and velocities are means of
+ * their corners, mass their own), else particles. */
+int write_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                  Fault *fault);
+
 /* Live nodes with their velocities: id,x,y,mass,vx,vy. */
 int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault);
 

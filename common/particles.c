@@ -43,7 +43,7 @@ static void *core_make(const Setup *setup, Fault *fault)
         core_free(c);
         return NULL;
     }
-    c->start = c->sim->p.count ? sim_check(c->sim) : (Status){EMPTY, -1, 0};
+    c->start = c->sim->p.count > c->sim->surface ? sim_check(c->sim) : (Status){EMPTY, -1, 0};
     if (c->start.code == OK) sim_sort(c->sim);
     return c;
 }
@@ -101,16 +101,22 @@ static void core_counts(const void *self, Counts *counts)
 {
     const Sim *sim = ((const Core *)self)->sim;
     *counts = (Counts){.ppc = sim->setup->ppc,
-                       .particles = sim->p.count,
+                       .particles = sim->p.count - sim->surface,
                        .surface = sim->surface,
                        .elements = -1,
                        .nodes = sim->nodes,
-                       .fallbacks = -1};
+                       .fallbacks = sim->method.assemble ? sim->fallbacks : -1};
 }
 
 static void core_impulse(const void *self, Vec out)
 {
     for (int d = 0; d < DIM; d++) out[d] = ((const Core *)self)->sim->impulse[d];
+}
+
+static void core_patches(const void *self, PatchVisit *visit, void *own)
+{
+    const Sim *sim = ((const Core *)self)->sim;
+    if (sim->method.patches) sim->method.patches(sim, visit, own);
 }
 
 static void core_stress(const void *self, Fields F, Fields sigma)
@@ -136,6 +142,7 @@ const Solver particle_solver = {
     .nodes = core_nodes,
     .counts = core_counts,
     .impulse = core_impulse,
+    .patches = core_patches,
     .point_stress = core_stress,
     .free = core_free,
 };

@@ -7,6 +7,7 @@
 
 /* Points in placement order. Owns its arrays; grows by doubling. */
 struct Layout {
+    double dense; /* surface points per particle spacing; 0: 1 */
     int n, room;
     int lost;            /* points that did not fit into memory: > 0 means failure */
     double *X[DIM];      /* [m] */
@@ -18,9 +19,17 @@ struct Layout {
 void layout_add(Layout *out, const Vec X, double volume, const double *normal);
 void layout_free(Layout *out);
 
+/* Adds points at mid angles of the arc of radius R about the scene's body [m], at most `spacing`
+ * apart; each has its share of a ring of thickness dr. dr = 0: surface points, as dense as these
+ * are to be, whose normals point outwards (side 1) or inwards (-1). */
+void layout_add_arc(Layout *out, const Scene *scene, double R, double dr, double spacing, int side);
+
+/* Spacing of surface points where particles have the given one [m]. */
+double layout_surface_spacing(const Layout *out, double spacing);
+
 /* Fills an empty layout for spacing s = 1/(cells n): 1D `count` points evenly over the body, else
  * the lattice (i + 1/2) s from the origin whose points lie inside, volume s^DIM; or the scene's
- * own. */
+ * own. A box is fitted by that and by surface points on all faces that are no symmetry lines. */
 int layout_make(Layout *out, const Scene *scene, double spacing, int count, bool fitted,
                 Fault *fault);
 

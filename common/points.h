@@ -4,6 +4,7 @@
 #ifndef MPMLAB_POINTS_H
 #define MPMLAB_POINTS_H
 
+#include <stdbool.h>
 #include "dim.h"
 
 /* Slots with mass 0 and id -1 are padding; with mass 0 and id >= 0 surface particles. */
@@ -25,5 +26,18 @@ typedef struct Nodes {
     int n;
     const double *x[DIM], *v[DIM], *m; /* position, velocity after the last projection, mass */
 } Nodes;
+
+/* A polygon of a solver's mesh, or of a cell of the grid that holds material: whole or cut off. */
+enum { PATCH_SIDES = 8 };
+typedef struct Patch {
+    int sides;
+    double corner[PATCH_SIDES][DIM]; /* [m] around it */
+    bool cut;                        /* by the surface */
+    Vec X, x, v; /* elements only: means of the corners, in the reference, too */
+    Mat F;       /* elements only */
+    double V0;   /* elements only: [m^DIM] reference volume */
+} Patch;
+
+typedef void PatchVisit(void *own, const Patch *patch);
 
 #endif

@@ -22,7 +22,7 @@ typedef struct Wall {
     double at;     /* [m] on a grid line: a multiple of every cell size in use */
     unsigned hold; /* bit a set: v_a = a_a = 0 there */
     bool mirror;   /* symmetry: beyond lies the mirrored body; hold is unused */
-    bool unilateral; /* hold only while the body pushes against it */
+    bool unilateral; /* hold only while the body pushes against it, then bring it to rest */
 } Wall;
 
 enum { MAX_WALLS = 8, MAX_DERIVED = 16 };
@@ -64,6 +64,9 @@ typedef struct Problem {
 
     /* Exact displacement at time t [s], or NULL. A projection gives the velocity field instead. */
     void (*exact)(const Scene *s, int n, ConstFields X, double t, Fields u);
+
+    /* How far x (current, not reference) lies inside the moving body at time t, or NULL. */
+    double (*distance)(const Scene *s, const Vec x, double t);
 
     /* Body force per mass [m/s^2] at reference position X and time t, or NULL. */
     void (*body)(const Scene *s, int n, ConstFields X, double t, Fields b);

@@ -187,12 +187,17 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
     int n = 0; /* what the defaults would say anyway, or is said elsewhere, is left out */
     for (int k = 0; k < spec->nset; k++) {
         const Param *p = param_find(run_params, spec->set[k].name);
-        double value;
+        double value = 0;
         char takes[128];
         const bool keep = !p || (p != &run_params[P_PARTICLES] &&
                                  !param_parse(p, spec->set[k].value, &value, takes) &&
                                  fabs(value - (p == &run_params[P_LAYOUT] ? usual : p->value)) > 0);
-        if (keep) spec->set[n++] = spec->set[k];
+        if (!keep) continue;
+        if (p) { /* as it would be printed: 3, not 03 */
+            param_print(p, value, text);
+            strcpy(spec->set[k].value, text);
+        }
+        spec->set[n++] = spec->set[k];
     }
     spec->nset = n;
     qsort(spec->set, (size_t)n, sizeof *spec->set, by_name);
@@ -260,7 +265,7 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     s->cells = (int)spec->cells;
     s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : s->method && s->method->surface;
     s->threads = spec->threads > 0 ? spec->threads : 1;
-    s->snapshot_nodes = plan->scene.problem->projection || spec->nodes;
+    s->snapshot_nodes = plan->scene.problem->projection || spec->nodes || spec->vtk;
     plan->steps = (long)run[P_STEPS];
     plan->stop_growth = run[P_STOP] > 0;
     if (choose_ppc(spec, plan, run, fault) || choose_times(spec, plan, fault) ||

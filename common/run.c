@@ -57,8 +57,15 @@ static double larger(double a, double b)
     return a >= b || isnan(b) ? a : b;
 }
 
+/* What the mean of two kinetic energies has beyond that of the mean velocity, at least: all there
+ * is in the first steps of a body that starts at rest, so that it must not count as growth. */
+static double beyond_mean(double before, double after)
+{
+    return 0.25 * pow(sqrt(after) - sqrt(before), 2);
+}
+
 /* Books the instant t_k: energies centred in time, work by the trapezoidal rule. */
-static void book_energy(Loop *l, Moment *m, double power)
+static void book_energy(Loop *l, Moment *m, double power, double beyond)
 {
     if (m->t > 0) l->work += 0.5 * l->dt * (l->power + power);
     l->power = power;
@@ -67,7 +74,7 @@ static void book_energy(Loop *l, Moment *m, double power)
     l->now = stored - l->work;
     if (!(m->t > 0)) l->start = l->now;
     l->largest = larger(l->largest, stored);
-    if (l->growth_step < 0 && l->done > 0 && l->now - l->start > 0.05 * l->largest)
+    if (l->growth_step < 0 && l->done > 0 && l->now - beyond - l->start > 0.05 * l->largest)
         l->growth_step = l->done;
     if (l->history) history_line(l->history, m);
 }
@@ -97,6 +104,13 @@ static void book_errors(Loop *l, Errors e)
     l->worst.l1 = larger(l->worst.l1, e.l1);
 }
 
+static void shoot(Loop *l, long step, bool last)
+{
+    if (l->shots.dir && !l->code)
+        l->code = snapshot_take(&l->shots, &l->plan->scene, l->plan->solver, l->self, step,
+                                (double)step * l->dt, last, l->fault);
+}
+
 static bool grown(const Loop *l)
 {
     return l->plan->stop_growth && l->growth_step >= 0;
@@ -109,7 +123,8 @@ static void run_steps(Loop *l)
     memcpy(l->p0, before.p, sizeof l->p0);
     l->momentum = before.mv;
     Moment m = {.dt = l->dt, .strain = strain_now(l), .error_linf = errors_now(l, 0).linf};
-    for (; l->done < l->n && !grown(l); l->done++) {
+    shoot(l, 0, false);
+    for (; l->done < l->n && !grown(l) && !l->code; l->done++) {
         const double t = (double)l->done * l->dt;
         const double power_before = look(l, t).power;
         take_step(l, t);
@@ -122,13 +137,15 @@ static void run_steps(Loop *l)
         m.t = t;
         m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
         for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
-        book_energy(l, &m, (1 - w) * power_before + w * after.power);
+        book_energy(l, &m, (1 - w) * power_before + w * after.power,
+                    beyond_mean(before.kinetic, after.kinetic));
         book_momentum(l, &after);
         const Errors e = errors_now(l, t + l->dt);
         book_errors(l, e);
         m.error_linf = e.linf;
         m.strain = strain_now(l);
         before = after;
+        shoot(l, l->done + 1, false);
     }
     m.t = (double)l->done * l->dt; /* the last instant waits for last_instant */
     m.kinetic = before.kinetic;
@@ -145,9 +162,10 @@ static void last_instant(Loop *l)
         l->done > 0 ? l->plan->solver->step(l->self, t, l->dt, false) : (Status){EMPTY, -1, 0};
     const double w = status.code == OK ? 0.5 : 0;
     const Side after = look(l, t);
+    const double beyond = beyond_mean(m.kinetic, after.kinetic);
     m.kinetic = (1 - w) * m.kinetic + w * after.kinetic;
     for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * m.momentum[d] + w * after.p[d];
-    book_energy(l, &m, (1 - w) * before + w * after.power);
+    book_energy(l, &m, (1 - w) * before + w * after.power, beyond);
 }
 
 static void choose_dt(Loop *l)
@@ -185,6 +203,8 @@ static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
     int code = 0;
     if (spec->particles)
         code = write_particles(spec->particles, &l->plan->scene, solver, l->self, fault);
+    if (!code && spec->samples)
+        code = write_samples(spec->samples, &l->plan->scene, solver, l->self, fault);
     if (!code && spec->nodes) code = write_nodes(spec->nodes, solver, l->self, fault);
     return code;
 }
@@ -208,7 +228,9 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
         choose_dt(l);
         if (!fit_scratch(l)) return fault_set(fault, FAULT_MACHINE, "out of memory");
         run_steps(l);
+        shoot(l, l->done + (l->status.code != OK), true);
     }
+    if (!code) code = l->code;
     if (!code) code = write_files(spec, l, fault);
     if (code) return code;
     report_counts(l, row);
@@ -225,13 +247,19 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     int code = plan_make(&own, &plan, fault);
     if (code) return code;
     *row = row_empty();
+    l.shots = (Snapshots){.dir = own.vtk, .every = own.every};
+    l.fault = fault;
     report_inputs(&own, &plan, row);
+    if ((spec->particles && file_check(spec->particles, fault)) ||
+        (spec->nodes && file_check(spec->nodes, fault)))
+        return FAULT_MACHINE;
     if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
     if (l.history) history_header(l.history);
     l.self = plan.solver->make(&plan.setup, fault);
     code = l.self ? run_plan(&own, &l, row, fault) : fault->code;
     if (l.self) plan.solver->free(l.self);
     scratch_free(&l.scratch);
+    snapshot_free(&l.shots);
     if (l.history && code) file_abandon(l.history, spec->history);
     if (l.history && !code) code = file_commit(l.history, spec->history, fault);
     return code;

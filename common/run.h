@@ -68,6 +68,11 @@ typedef struct Solver {
     /* Momentum [kg m/s] that body forces and boundary conditions have given since the start. */
     void (*impulse)(const void *self, Vec out);
 
+    /* Shows every polygon of the mesh or of the grid's cells as the last step had them; NULL: none.
+     * `elements`: they carry strain, in a fixed order. */
+    void (*patches)(const void *self, PatchVisit *visit, void *own);
+    bool elements;
+
     /* F and Cauchy stress of every point slot, components row-major (FEM: mean of elements). */
     void (*point_stress)(const void *self, Fields F, Fields sigma);
 

@@ -14,6 +14,23 @@
 /* A particle's stretch is never taken as zero (l = l0 F_xx vanishes under a quarter turn). */
 static const double LEAST_STRETCH = 1e-6;
 
+/* The widest vectors of this build. Lines within one are shuffled; wider ones are taken apart by
+ * the compiler, which costs more than arithmetic with zeros and ones. */
+#if defined(__AVX512F__)
+enum { VECTOR_BYTES = 64, REGISTERS = 16 }; /* half of them: the rest is at work */
+#elif defined(__AVX__)
+enum { VECTOR_BYTES = 32, REGISTERS = 4 };
+#else
+enum { VECTOR_BYTES = 16, REGISTERS = 4 };
+#endif
+#ifdef __clang__ /* knows no shuffle by a vector */
+enum { LINE_IS_VECTOR = 0 };
+#define SHUFFLE(a, b, from) ((void)(b), (a))
+#else
+enum { LINE_IS_VECTOR = (int)sizeof(Line) <= VECTOR_BYTES };
+#define SHUFFLE(a, b, from) __builtin_shuffle(a, b, from)
+#endif
+
 /* What one thread needs for one chunk; lives on its stack. */
 typedef struct Work {
     Field x[DIM], b[DIM]; /* positions and half widths [cells], from node 0 */
@@ -22,7 +39,8 @@ typedef struct Work {
     Field T[NMAT];
     Field sums[2 * LANES];
     Field body[DIM];
-    Line A[CHUNK], B[DIM][CHUNK]; /* payload by particle; slopes per cell */
+    Line A[CHUNK]; /* payload by particle */
+    Line B[CHUNK]; /* its slopes per cell, those along axis d in the lanes from FLUX + d DIM on */
 } Work;
 
 /* Half width of a particle along an axis [cells]: l0 |F_dd|, W11's authors' rule. */
@@ -54,29 +72,20 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
     return width;
 }
 
-/* R = S r and Q = S r^2 of every axis, for moments. */
-static inline void make_moments(Work *w, int width)
-{
-    for (int d = 0; d < DIM; d++) {
-        Stencil *s = &w->stencil[d];
-        for (int k = 0; k < width; k++)
-            for (int p = 0; p < CHUNK; p++) {
-                const double r = s->base[p] + k - w->x[d][p];
-                s->table[T_R][k][p] = s->table[T_S][k][p] * r;
-                s->table[T_Q][k][p] = s->table[T_S][k][p] * r * r;
-            }
-    }
-}
-
 /* Which table each lane takes on each axis: e[d][t] is 1 in the lanes that take table t, else 0. */
+typedef long long Bits __attribute__((vector_size(LANES * sizeof(double))));
 typedef struct Pattern {
     Line e[DIM][TABLES];
+    Bits pick[DIM];
 } Pattern;
 
 /* The usual one: S everywhere, but in the lanes FLUX + b DIM + a the given table on axis b. */
 static inline Pattern flux_pattern(int table)
 {
     Pattern q;
+    for (int d = 0; d < DIM; d++)
+        for (int l = 0; l < LANES; l++)
+            q.pick[d][l] = l >= FLUX && (l - FLUX) / DIM == d ? LANES + l : l;
     for (int d = 0; d < DIM; d++)
         for (int t = 0; t < TABLES; t++)
             for (int l = 0; l < LANES; l++) {
@@ -90,6 +99,11 @@ static inline Pattern flux_pattern(int table)
 static inline __attribute__((always_inline)) Line
 axis_weight(const Stencil s[DIM], int d, int k, int p, const Pattern *q, const unsigned tables)
 {
+    if (LINE_IS_VECTOR && (tables == 1u << T_G || tables == 1u << T_R)) {
+        const int t = tables == 1u << T_G ? T_G : T_R;
+        return SHUFFLE(s[d].table[T_S][k][p] - (Line){0}, s[d].table[t][k][p] - (Line){0},
+                       q->pick[d]);
+    }
     Line w = s[d].table[T_S][k][p] * q->e[d][T_S];
     for (int t = 1; t < TABLES; t++)
         if (tables >> t & 1) w += s[d].table[t][k][p] * q->e[d][t];
@@ -127,13 +141,12 @@ row_weight(const Stencil s[DIM], const Pattern *q, int p, int width, int r, cons
 }
 
 /* Can a whole stencil of 3 nodes an axis wait in vector registers? */
-#ifdef __AVX512F__
-enum { REGISTER_BYTES = 16 * 64 };
-#else
-enum { REGISTER_BYTES = 4 * 32 };
-#endif
 #define FITS_REGISTERS(width)                                                                      \
-    ((width) <= 3 && (DIM == 1 ? 3 : DIM == 2 ? 9 : 27) * (int)sizeof(Line) <= REGISTER_BYTES)
+    ((width) <= 3 && (DIM == 1   ? 3                                                               \
+                      : DIM == 2 ? 9                                                               \
+                                 : 27) *                                                           \
+                             (int)sizeof(Line) <=                                                  \
+                         REGISTERS * VECTOR_BYTES)
 
 static inline __attribute__((always_inline)) void flush_run(Grid *g, Line sum[9], size_t at,
                                                             const int width)
@@ -143,6 +156,17 @@ static inline __attribute__((always_inline)) void flush_run(Grid *g, Line sum[9]
             g->node[at + row_offset(g, width, r) + (size_t)i] += sum[r * width + i];
             sum[r * width + i] = (Line){0};
         }
+}
+
+/* The slopes along axis d, moved from their lanes to those of momentum. */
+static inline __attribute__((always_inline)) Line slope_lanes(const Line b, int d)
+{
+    Line s = {0};
+    Bits from;
+    for (int l = 0; l < LANES; l++) from[l] = l >= 1 && l <= DIM ? FLUX + d * DIM + l - 1 : LANES;
+    if (LINE_IS_VECTOR) return SHUFFLE(b, s, from);
+    for (int a = 0; a < DIM; a++) s[1 + a] = b[FLUX + d * DIM + a];
+    return s;
 }
 
 /* node[lane] += w (A + sum_d B_d offset_d): A is the value at the stencil's first node. Particles
@@ -160,6 +184,8 @@ static inline __attribute__((always_inline)) void deposit(Grid *g, const Work *w
     for (int p = 0; p < CHUNK; p++) {
         Line x[MAX_WIDTH];
         const size_t first = first_node(g, w->stencil, p);
+        Line s[DIM];
+        for (int d = 0; affine && d < DIM; d++) s[d] = slope_lanes(w->B[p], d);
         for (int i = 0; i < width; i++) x[i] = axis_weight(w->stencil, 0, i, p, &q, tables);
         if (runs && first != at) {
             flush_run(g, sum, at, width);
@@ -168,9 +194,9 @@ static inline __attribute__((always_inline)) void deposit(Grid *g, const Work *w
         for (int r = 0; r < rows; r++) {
             Line *node = g->node + first + row_offset(g, width, r);
             Line value = w->A[p], slope;
-            if (affine && DIM > 1) value += (double)(DIM == 2 ? r : r % width) * w->B[DIM > 1][p];
-            for (int d = 2; affine && d < DIM; d++) value += (double)(r / width) * w->B[d][p];
-            if (affine) slope = w->B[0][p];
+            for (int d = 1; affine && d < DIM; d++)
+                value += (double)(d == 2 ? r / width : DIM == 2 ? r : r % width) * s[d];
+            if (affine) slope = s[0];
             if (DIM > 1) {
                 const Line y = row_weight(w->stencil, &q, p, width, r, tables);
                 value *= y;
@@ -233,48 +259,22 @@ static inline __attribute__((always_inline)) void deposit_force(Grid *g, const W
     }
 }
 
-/* D = sum_i S (x_i - x_p)^2 [m^2] along an axis. */
-static inline void spread(const Sim *sim, const Work *w, int axis, int width, Field D)
-{
-    const Stencil *s = &w->stencil[axis];
-    for (int p = 0; p < CHUNK; p++) D[p] = 0;
-    for (int k = 0; k < width; k++)
-        for (int p = 0; p < CHUNK; p++) {
-            const double r = (s->base[p] + k - w->x[axis][p]) * sim->dx;
-            D[p] += s->table[T_S][k][p] * r * r;
-        }
-}
-
-/* Moments become slopes: B /= D. */
-static inline void divide_by_spread(const Sim *sim, Work *w, int width)
-{
-    for (int d = 0; d < DIM; d++) {
-        Field D;
-        spread(sim, w, d, width, D);
-        for (int p = 0; p < CHUNK; p++) D[p] = D[p] > 0 ? 1 / D[p] : 0;
-        for (int a = 0; a < DIM; a++)
-            for (int p = 0; p < CHUNK; p++) w->payload.B[d][a][p] *= D[p];
-    }
-}
-
 /* Payload from fields to lines. A is given at the particle; with slopes it is moved to the
  * stencil's first node, and the slopes are scaled to steps of one cell. */
 static inline void pack_payload(const Sim *sim, Work *w, bool affine)
 {
     Payload *q = &w->payload;
-    for (int d = 0; affine && d < DIM; d++)
+    for (int d = 0; affine && d < DIM; d++) {
+        Field r;
+        for (int p = 0; p < CHUNK; p++) r[p] = (w->stencil[d].base[p] - w->x[d][p]) * sim->dx;
         for (int a = 0; a < DIM; a++)
-            for (int p = 0; p < CHUNK; p++) {
-                q->B[d][a][p] *= sim->dx;
-                q->A[1 + a][p] += q->B[d][a][p] * (w->stencil[d].base[p] - w->x[d][p]);
-            }
+            for (int p = 0; p < CHUNK; p++) q->A[1 + a][p] += q->B[d][a][p] * r[p];
+    }
     for (int p = 0; p < CHUNK; p++)
         for (int l = 0; l < LANES; l++) w->A[p][l] = q->A[l][p];
-    for (int d = 0; affine && d < DIM; d++)
-        for (int p = 0; p < CHUNK; p++) {
-            w->B[d][p] = (Line){0};
-            for (int a = 0; a < DIM; a++) w->B[d][p][1 + a] = q->B[d][a][p];
-        }
+    if (affine)
+        for (int p = 0; p < CHUNK; p++)
+            for (int k = 0; k < NMAT; k++) w->B[p][FLUX + k] = sim->dx * q->B[k / DIM][k % DIM][p];
 }
 
 /* Sums from lines to fields, from lane `at` on; the lanes from FLUX on are scaled: per cell to per

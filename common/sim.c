@@ -14,6 +14,7 @@ static double widest_half(double half)
 
 static bool field_used(const Setup *s, int field)
 {
+    if (field >= AT_N) return s->method->surface;
     if (field >= AT_W) return s->method->filter;
     if (field >= AT_U) return s->integrator == MUSL;
     if (field >= AT_L) return s->method->keeps_L || s->refresh;
@@ -51,6 +52,21 @@ static bool grid_alloc(Sim *sim)
     return ok;
 }
 
+/* All fields in one piece, each nine cache lines further than a multiple of a page: the same chunk
+ * of all fields would else fall into the same few sets of the first-level cache. */
+static bool fields_alloc(Sim *sim)
+{
+    enum { PAGE = 4096 / sizeof(double), STAGGER = 9 * 64 / sizeof(double) };
+    Particles *p = &sim->p;
+    const size_t stride = ((size_t)p->room + PAGE - 1) / PAGE * PAGE + STAGGER;
+    size_t used = 0;
+    if (!(p->arena = get((FIELDS + 1) * stride, sizeof(double)))) return false;
+    p->spare = p->arena;
+    for (int f = 0; f < FIELDS; f++)
+        if (field_used(sim->setup, f)) p->field[f] = p->arena + ++used * stride;
+    return true;
+}
+
 /* Slots: every block of rows may need up to a chunk of padding. */
 static bool particles_alloc(Sim *sim)
 {
@@ -59,13 +75,11 @@ static bool particles_alloc(Sim *sim)
     p->room = (p->count + blocks * CHUNK + CHUNK - 1) / CHUNK * CHUNK;
     const size_t room = (size_t)p->room;
     bool ok = (sim->block = calloc((size_t)blocks, sizeof(Block))) != NULL;
-    for (int f = 0; f < FIELDS; f++)
-        if (field_used(sim->setup, f)) ok = (p->field[f] = get(room, sizeof(double))) && ok;
-    ok = (p->spare = get(room, sizeof(double))) && ok;
+    ok = fields_alloc(sim) && ok;
     ok = (p->id = get(room, sizeof(int))) && ok;
     ok = (p->order = get(room, sizeof(int))) && ok;
     ok = (p->source = get(room, sizeof(int))) && ok;
-    ok = (p->key = get(room, sizeof(int))) && ok;
+    for (int d = 0; d < DIM; d++) ok = (p->key[d] = get(room, sizeof(int))) && ok;
     return ok;
 }
 
@@ -121,15 +135,18 @@ static void set_walls(Sim *sim)
     Grid *g = &sim->g;
     const Scene *scene = sim->setup->scene;
     for (int d = 0; d < DIM; d++) {
-        g->axis[d] = (Axis){-INFINITY, INFINITY};
+        g->axis[d] = (Axis){.wall_lo = -INFINITY, .wall_hi = INFINITY};
         for (int k = 0; k < scene->nwall; k++) {
             const Wall *w = &scene->wall[k];
             const int at = (int)lround(w->at * g->cells) - g->origin[d];
             if (w->axis != d) continue;
-            if (!w->mirror && w->hold >> d & 1) /* else the body may cross it */
+            if (!w->mirror) {
                 *(w->side < 0 ? &g->axis[d].wall_lo : &g->axis[d].wall_hi) = at;
+                *(w->side < 0 ? &g->axis[d].open_lo : &g->axis[d].open_hi) = !(w->hold >> d & 1);
+            }
             if (w->mirror) g->mirror[g->nmirror++] = (Mirror){d, at, w->side};
-            for (int i = 0; i < g->n[d] && !w->mirror; i++)
+            if (w->unilateral && !w->mirror) g->stop[g->nstop++] = (Stop){d, at, w->side, w->hold};
+            for (int i = 0; i < g->n[d] && !w->mirror && !w->unilateral; i++)
                 if (w->side * (i - at) >= 0) g->hold[d][i] |= (unsigned char)w->hold;
         }
     }
@@ -139,10 +156,12 @@ static void fill_particles(Sim *sim, const Layout *layout)
 {
     Particles *p = &sim->p;
     const Scene *scene = sim->setup->scene;
+    const bool surface = sim->method.surface;
     int n = 0;
     for (int k = 0; k < layout->n; k++) {
-        if (!(layout->volume[k] > 0)) continue;
+        if (!surface && !(layout->volume[k] > 0)) continue;
         for (int d = 0; d < DIM; d++) p->field[AT_X0 + d][n] = layout->X[d][k];
+        for (int d = 0; surface && d < DIM; d++) p->field[AT_N + d][n] = layout->normal[d][k];
         p->field[AT_VOL][n] = layout->volume[k];
         p->field[AT_M][n] = layout->volume[k] * scene->mat.rho;
         p->id[n] = n;
@@ -153,7 +172,7 @@ static void fill_particles(Sim *sim, const Layout *layout)
      * round-off weight must not move; a smooth weight's force goes as the root of its mass, and is
      * kept. */
     const double least = sim->method.smooth ? 1e-24 : 1e-12;
-    sim->mass_cut = least * scene->mat.rho * body_volume(scene) / n;
+    sim->mass_cut = least * scene->mat.rho * body_volume(scene) / (n - sim->surface);
 }
 
 /* Initial state: x = X + u, and v, F, L as the scene says. */
@@ -198,15 +217,19 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
     sim->half = 0.5 / per_axis;
     sim->half_max = widest_half(sim->half);
     if (check_size(sim, fault)) return -1;
+    layout->dense = sim->method.surface_per_cell / per_axis;
     if (layout_make(layout, s->scene, sim->dx / per_axis, s->count, s->fitted, fault)) return -1;
     for (int k = 0; k < layout->n; k++) {
-        sim->p.count += layout->volume[k] > 0;
-        sim->surface += s->method->surface && !(layout->volume[k] > 0);
+        const bool surface = s->method->surface && !(layout->volume[k] > 0);
+        sim->p.count += surface || layout->volume[k] > 0;
+        sim->surface += surface;
     }
     make_grid(sim);
     if (!grid_alloc(sim) || !particles_alloc(sim))
         return fault_set(fault, FAULT_MACHINE, "out of memory for %d particles", sim->p.count);
     set_walls(sim);
+    if (sim->method.make && !sim->method.make(sim))
+        return fault_set(fault, FAULT_MACHINE, "out of memory");
     fill_particles(sim, layout);
     if (!start_particles(sim)) return fault_set(fault, FAULT_MACHINE, "out of memory");
     sim->half_now = widest_now(sim);
@@ -238,12 +261,13 @@ void sim_free(Sim *sim)
     if (!sim) return;
     Grid *g = &sim->g;
     Particles *p = &sim->p;
+    if (sim->own) sim->method.free(sim);
     for (int d = 0; d < DIM; d++) free(g->hold[d]);
     free(g->node), free(g->keep), free(g->lo), free(g->hi), free(g->live), free(g->impulse),
         free(g->count);
     free(g->force), free(g->mass), free(sim->block);
-    for (int f = 0; f < FIELDS; f++) free(p->field[f]);
-    free(p->spare), free(p->id), free(p->order), free(p->source), free(p->key);
+    free(p->arena), free(p->id), free(p->order), free(p->source);
+    for (int d = 0; d < DIM; d++) free(p->key[d]);
     free(sim);
 }
 

@@ -21,16 +21,18 @@ enum {
     AT_L = AT_VOL + 1,  /* velocity gradient [1/s], NMAT: if the method keeps it */
     AT_U = AT_L + NMAT, /* displacement of this step [m], DIM: if the integrator keeps it */
     AT_W = AT_U + DIM,  /* velocity in a filter's round [m/s], DIM: if the method has a filter */
-    FIELDS = AT_W + DIM
+    AT_N = AT_W + DIM,  /* outward normal in the reference state, DIM: of surface points */
+    FIELDS = AT_N + DIM
 };
 
 typedef struct Particles {
-    int count;   /* real ones */
+    int count;   /* real ones, surface points included */
     int n, room; /* slots in use and allocated, multiples of CHUNK */
     double *field[FIELDS];
-    double *spare;             /* [room] for sorting */
-    int *id;                   /* [room] placement order; -1: padding */
-    int *order, *source, *key; /* [room] for sorting */
+    double *spare;                  /* [room] for sorting */
+    double *arena;                  /* owns all fields and the spare one */
+    int *id;                        /* [room] placement order; -1: padding */
+    int *order, *source, *key[DIM]; /* [room] for sorting */
 } Particles;
 
 /* Chunks [first, last) of one block of grid rows. Blocks of equal parity never touch a common node.
@@ -43,6 +45,13 @@ typedef struct Block {
 typedef struct Mirror {
     int axis, at, side;
 } Mirror;
+
+/* A wall that holds its nodes (index `at` and beyond, on `side`) only while they push against it.
+ */
+typedef struct Stop {
+    int axis, at, side;
+    unsigned hold; /* bit a: component a */
+} Stop;
 
 typedef struct Grid {
     int cells;                /* per unit length; h = 1/cells [m] */
@@ -58,6 +67,8 @@ typedef struct Grid {
     unsigned char *hold[DIM]; /* [n[d]] bit a: component a is held at this index of axis d */
     Mirror mirror[2 * DIM];   /* by axis */
     int nmirror;
+    Stop stop[2 * DIM]; /* unilateral walls; not in hold */
+    int nstop;
     int *lo, *hi; /* [rows] live span: nodes lo <= i < hi of each row */
     int *count;   /* [longest axis + 1] for sorting */
     Vec *impulse; /* [rows] [kg m/s] momentum ledger of this step */
@@ -67,6 +78,7 @@ typedef struct Grid {
 typedef struct Sim {
     const Setup *setup;
     Method method; /* the run's own copy */
+    void *own;     /* the method's workspace, or NULL */
     Particles p;
     Grid g;
     Block *block;
@@ -83,6 +95,7 @@ typedef struct Sim {
     Vec impulse;      /* [kg m/s] given by body forces and walls so far */
     double dx;        /* 1/cells [m] */
     int surface;      /* surface particles, if the method has any */
+    long fallbacks;   /* nodes that fell back from their method's own rule, summed over steps */
 } Sim;
 
 /* Places and allocates everything; NULL and a fault (2: parameters, 1: memory, before it is taken).
@@ -100,9 +113,26 @@ void sim_sort(Sim *sim);
  * force too) and filled from them (unfold, before a gather); mirror.c. All by parity per component,
  * so that no method knows of it. unfold also books what the ghosts' share of momentum received. */
 void grid_fold(Sim *sim);
+typedef void PairVisit(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
+                       void *own);
+void grid_visit_pairs(Sim *sim, bool back, PairVisit *visit, void *own); /* ghosts, their images */
 void grid_unfold(Sim *sim, double dt);
 void grid_mirror_spans(Grid *g);
+void grid_wall_images(
+    Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */
 bool grid_is_ghost_row(const Grid *g, int row, int above); /* of a mirror across an axis > above */
+
+/* Node number of grid index `index`, or of its image if it lies beyond a symmetry line: then
+ * sign[a] is the parity of component a, else 1. NOWHERE outside the live nodes. */
+#define NOWHERE ((size_t)-1)
+size_t grid_image(const Grid *g, const int index[DIM], double sign[DIM]);
+
+/* What a chunk's points carry at time t: T = J sigma [Pa] and body force per mass b [m/s^2] (0 if
+ * the scene has none). Distance [cells] of a node inside the body, from a scene that knows it; else
+ * NAN. deposit.c. */
+void sim_stress(const Sim *sim, const Chunk *c, Field T[NMAT]);
+void sim_body(const Sim *sim, const Chunk *c, double t, Field b[DIM]);
+double sim_distance(const Sim *sim, const int index[DIM], double t);
 
 /* The view of chunk k that a method's stages work on. */
 static inline Chunk sim_chunk(const Sim *sim, int k)
@@ -116,6 +146,7 @@ static inline Chunk sim_chunk(const Sim *sim, int k)
         c.v[d] = p->field[AT_V + d] + at;
         c.u[d] = p->field[AT_U + d] ? p->field[AT_U + d] + at : NULL;
         c.w[d] = p->field[AT_W + d] ? p->field[AT_W + d] + at : NULL;
+        c.normal[d] = p->field[AT_N + d] ? p->field[AT_N + d] + at : NULL;
     }
     for (int k2 = 0; k2 < NMAT; k2++) {
         c.F[k2] = p->field[AT_F + k2] + at;

@@ -24,11 +24,35 @@ static unsigned row_hold(const Grid *g, int row)
     return held;
 }
 
-/* One node: v = p/m, a = f/m times `scale`, walls, v += a dt; then what a gather reads. Books the
- * momentum that particles will get, less what they bring and the internal force, which must sum to
- * nothing: m a times `share` = dt, or m v times 1 where the update replaces velocities. */
-static inline void solve_node(Sim *sim, size_t at, unsigned held, double dt, double scale,
-                              double share, double impulse[DIM])
+/* Unilateral walls: which components they hold at node i of a row. A wall holds while the free
+ * momentum p + f dt is directed into it; a body that would be pulled back leaves. */
+static unsigned stops_hold(const Grid *g, int row, int i, double dt)
+{
+    const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
+    const Line n = g->node[at];
+    unsigned held = 0;
+    for (int k = 0; k < g->nstop; k++) {
+        const Stop *s = &g->stop[k];
+        int index = i, rest = row;
+        for (int d = 1; d <= s->axis; d++) {
+            index = rest % g->n[d];
+            rest /= g->n[d];
+        }
+        if (s->side * (index - s->at) < 0) continue;
+        double f = g->force ? g->force[at * DIM + (size_t)s->axis] : 0;
+        for (int b = 0; b < DIM; b++) f += n[FLUX + b * DIM + s->axis];
+        if (s->side * (n[1 + s->axis] + f * dt) > 0) held |= s->hold;
+    }
+    return held;
+}
+
+/* One node: v = p/m, a = f/m times `scale`, walls, v += a dt; then what a gather reads. Held
+ * components have v = a = 0; `stopped` ones of them the a that brings v to rest, so that particles
+ * do not keep a velocity into a wall that is to let them go. Books the momentum that particles will
+ * get, less what they bring and the internal force, which must sum to nothing: m a times `share` =
+ * dt, or m v times 1 where the update replaces velocities. */
+static inline void solve_node(Sim *sim, size_t at, unsigned held, unsigned stopped, double dt,
+                              double scale, double share, double impulse[DIM])
 {
     Grid *g = &sim->g;
     const bool pic = sim->method.pic;
@@ -41,7 +65,8 @@ static inline void solve_node(Sim *sim, size_t at, unsigned held, double dt, dou
         if (!g->nmirror) impulse[a] -= dt * scale * f + (pic ? share * in[1 + a] : 0);
         if (g->force) f += g->force[at * DIM + (size_t)a];
         const bool hold = held >> a & 1;
-        const double acc = hold ? 0 : f * inverse * scale;
+        double acc = hold ? 0 : f * inverse * scale;
+        if (stopped >> a & 1) acc = -in[1 + a] * inverse / dt;
         const double v = hold ? 0 : in[1 + a] * inverse + acc * dt;
         impulse[a] += share * in[1 + DIM] * (pic ? v : acc);
         out[a] = v;
@@ -62,7 +87,7 @@ static inline void clear_node(Sim *sim, size_t at, unsigned held, double dt, dou
 }
 
 /* Nodes that are nobody's are set to zero; ghosts of a symmetry line are left to it. */
-static void solve_row(Sim *sim, int row, double dt, double scale, double share)
+static void solve_row(Sim *sim, int row, double dt, double scale, double share, bool force)
 {
     Grid *g = &sim->g;
     const size_t start = (size_t)row * (size_t)g->n[0];
@@ -77,12 +102,15 @@ static void solve_row(Sim *sim, int row, double dt, double scale, double share)
         const size_t at = start + (size_t)i;
         const double mass = g->node[at][0];
         const bool empty = mass <= sim->mass_cut; /* false for NaN, which must spread */
+        const unsigned stops = g->nstop ? stops_hold(g, row, i, dt * scale) : 0;
+        const unsigned own = held | g->hold[0][i] | stops;
         if (g->mass) g->mass[at] = empty ? 0 : mass;
         live += !empty;
         if (empty)
-            clear_node(sim, at, held | g->hold[0][i], dt * scale, g->impulse[row]);
+            clear_node(sim, at, own, dt * scale, g->impulse[row]);
         else
-            solve_node(sim, at, held | g->hold[0][i], dt, scale, share, g->impulse[row]);
+            solve_node(sim, at, own, force ? stops & ~held & ~g->hold[0][i] : 0, dt, scale, share,
+                       g->impulse[row]);
     }
     g->live[row] = live;
 }
@@ -97,11 +125,13 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
         if (force) book_forces(sim, dt * scale);
         grid_fold(sim);
     }
+    if (sim->method.repair) sim->method.repair(sim);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0))
-            solve_row(sim, row, dt, scale, share);
+            solve_row(sim, row, dt, scale, share, force);
     if (g->nmirror) grid_unfold(sim, share);
+    if (sim->method.wall_images) grid_wall_images(sim);
     long live = 0;
     for (int row = 0; row < g->rows; row++) {
         if (g->lo[row] < g->hi[row]) live += g->live[row];

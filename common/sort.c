@@ -6,12 +6,16 @@
 #include <string.h>
 #include "passes.h"
 
-/* Where a particle's stencil stands: its cell, or its nearest node if stencils are about a node
- * (odd widths), so that neighbours in the order share all their nodes. */
-static int cell_of(const Sim *sim, int slot, int axis)
+/* Where every particle's stencil stands, per axis: its cell, or its nearest node if stencils are
+ * about a node (odd widths), so that neighbours in the order share all their nodes. */
+static void find_keys(Sim *sim)
 {
-    const double at = sim->p.field[AT_X + axis][slot] * sim->g.cells;
-    return (int)floor(at + sim->key_shift) - sim->g.origin[axis];
+    for (int d = 0; d < DIM; d++) {
+        const double *x = sim->p.field[AT_X + d], cells = sim->g.cells, shift = sim->key_shift;
+        const int origin = sim->g.origin[d];
+        int *key = sim->p.key[d];
+        for (int k = 0; k < sim->p.n; k++) key[k] = (int)floor(x[k] * cells + shift) - origin;
+    }
 }
 
 /* One stable counting pass: order[] by key[] in [0, nkey). */
@@ -30,16 +34,14 @@ static int *cell_order(Sim *sim, int *buffer[2])
     int n = 0, now = 0;
     for (int k = 0; k < p->n; k++)
         if (p->id[k] >= 0) buffer[0][n++] = k;
-    for (int d = 0; d < DIM; d++, now = 1 - now) {
-        for (int k = 0; k < n; k++) p->key[buffer[now][k]] = cell_of(sim, buffer[now][k], d);
-        count_sort(n, p->key, buffer[now], buffer[1 - now], sim->g.n[d], sim->g.count);
-    }
+    for (int d = 0; d < DIM; d++, now = 1 - now)
+        count_sort(n, p->key[d], buffer[now], buffer[1 - now], sim->g.n[d], sim->g.count);
     return buffer[now];
 }
 
 static int block_of(const Sim *sim, int slot)
 {
-    return cell_of(sim, slot, DIM - 1) / sim->block_rows;
+    return sim->p.key[DIM - 1][slot] / sim->block_rows;
 }
 
 /* Cuts the order at block borders; source[slot] is the old slot, or -1 - slot for padding. */
@@ -62,27 +64,37 @@ static void cut_blocks(Sim *sim, const int order[], int source[])
 }
 
 /* Padding moves with a real particle but weighs nothing and starts undeformed. */
-static double pad_value(int field, double real)
-{
-    if (field < AT_V) return real;
-    return field >= AT_F && field < AT_M && (field - AT_F) % (DIM + 1) == 0;
-}
-
-static void permute(Sim *sim, const int source[])
+static void reset_padding(Sim *sim)
 {
     Particles *p = &sim->p;
+    for (int k = 0; k < p->n; k++) {
+        if (p->id[k] >= 0) continue;
+        for (int f = AT_V; f < FIELDS; f++)
+            if (p->field[f]) p->field[f][k] = f >= AT_F && f < AT_M && (f - AT_F) % (DIM + 1) == 0;
+    }
+}
+
+/* source[slot]: the old slot, or -1 - slot for its massless copy; becomes the old slot in any case.
+ */
+static void permute(Sim *sim, int source[])
+{
+    Particles *p = &sim->p;
+    int *id = p->key[0]; /* the keys have done their work */
+    for (int k = 0; k < p->n; k++) {
+        const bool real = source[k] >= 0;
+        source[k] = real ? source[k] : -1 - source[k];
+        id[k] = real ? p->id[source[k]] : -1;
+    }
+    p->key[0] = p->id;
+    p->id = id;
     for (int f = 0; f < FIELDS; f++) {
         double *from = p->field[f], *to = p->spare;
         if (!from) continue;
-        for (int k = 0; k < p->n; k++)
-            to[k] = source[k] >= 0 ? from[source[k]] : pad_value(f, from[-1 - source[k]]);
+        for (int k = 0; k < p->n; k++) to[k] = from[source[k]];
         p->field[f] = to;
         p->spare = from;
     }
-    for (int k = 0; k < p->n; k++) p->key[k] = source[k] >= 0 ? p->id[source[k]] : -1;
-    int *id = p->id;
-    p->id = p->key;
-    p->key = id;
+    reset_padding(sim);
 }
 
 static void widen(Grid *g, int row, int lo, int hi)
@@ -109,21 +121,19 @@ static void touch_rows(Grid *g, const int cell[DIM], int lo, int hi, int down, i
 /* A particle in cell c sees nodes c - half .. c + 1 + half, about node c less by one; it may drift
  * by one cell until the next sort. Where symmetry folds the grid, a ghost's image must be live,
  * too. */
-static void find_spans(Sim *sim)
+static void find_spans(Sim *sim, const int order[])
 {
     Grid *g = &sim->g;
+    int *const *key = sim->p.key;
     const int half = sim->method.width(sim->half_plan) / 2;
     const int down = half + 1, up = half + (sim->key_shift > 0 ? 1 : 2);
     for (int r = 0; r < g->rows; r++) g->lo[r] = INT_MAX, g->hi[r] = 0;
-    for (int k = 0; k < sim->p.n;) {
-        int cell[DIM], lo, hi;
-        for (int d = 0; d < DIM; d++) cell[d] = cell_of(sim, k, d);
-        lo = hi = cell[0];
-        for (bool same = true; same && k < sim->p.n; k += same) {
-            for (int d = 1; d < DIM; d++) same &= cell_of(sim, k, d) == cell[d];
-            const int c = cell_of(sim, k, 0);
-            if (same && c < lo) lo = c;
-            if (same && c > hi) hi = c;
+    for (int k = 0; k < sim->p.count;) {
+        int cell[DIM], lo = key[0][order[k]], hi = lo;
+        for (int d = 0; d < DIM; d++) cell[d] = key[d][order[k]];
+        for (bool same = true; same && k < sim->p.count; k += same) {
+            for (int d = 1; d < DIM; d++) same &= key[d][order[k]] == cell[d];
+            if (same) hi = key[0][order[k]]; /* ascending within a row */
         }
         touch_rows(g, cell, lo, hi, down, up);
     }
@@ -135,16 +145,17 @@ void sim_sort(Sim *sim)
     const bool first = isinf(sim->travel);
     const int half = sim->half_now <= 0.5 ? 1 : 0;
     sim->half_plan = half ? 0.5 : fmin(1.25 * sim->half_now, sim->half_max);
-    sim->key_shift = sim->method.width(sim->half_plan) % 2 ? 0.5 : 0;
+    sim->key_shift = sim->method.about_node || sim->method.width(sim->half_plan) % 2 ? 0.5 : 0;
     const int reach = 2 * (sim->method.width(sim->half_plan) / 2) + 3;
     const int least = DIM == 1 ? 64 : 8;
     sim->block_rows = (reach + least - 1) / least * least;
     int *buffer[2] = {sim->p.order, sim->p.source};
+    find_keys(sim);
     int *order = cell_order(sim, buffer);
     int *source = order == buffer[0] ? buffer[1] : buffer[0];
+    find_spans(sim, order);
     cut_blocks(sim, order, source);
     permute(sim, source);
-    find_spans(sim);
     sim->travel = 0;
     if (first && sim->method.moments) start_moments(sim);
 }

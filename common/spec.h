@@ -22,6 +22,7 @@ typedef struct RunSpec {
     int nset;                                /* settings from --set, in the order given; */
     Setting set[SPEC_SETS];                  /*   problem, method and run parameters */
     const char *history, *particles, *nodes; /* output files of this run, or NULL; not owned */
+    const char *samples;                     /* what carries strain: elements, or particles */
     const char *vtk;                         /* folder for snapshots, or NULL */
     int every;                               /* steps between snapshots */
 } RunSpec;

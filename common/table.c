@@ -8,7 +8,8 @@
 #include <string.h>
 #include "info.h"
 
-/* Reads the open file into one text, a 0 behind it. NULL if it cannot. */
+/* Reads the open file into one text, a 0 behind it. NULL if it cannot, or if the file holds a 0
+ * (a machine that lost power leaves such): what is behind it would be lost in silence. */
 static char *read_text(FILE *f)
 {
     size_t room = 1 << 16, n = 0;
@@ -21,7 +22,9 @@ static char *read_text(FILE *f)
         text = larger;
     }
     if (text) text[n] = '\0';
-    if (!text || !ferror(f)) return text;
+    const int holds_zero = text && memchr(text, '\0', n);
+    if (holds_zero) errno = EILSEQ;
+    if (text && !ferror(f) && !holds_zero) return text;
     free(text);
     return NULL;
 }

@@ -97,6 +97,24 @@ static void point_stress(const void *self, Fields F, Fields sigma)
     }
 }
 
+static void patches(const void *self, PatchVisit *visit, void *own)
+{
+    const Fem *f = self;
+    for (int e = 0; e < f->elements; e++) {
+        Patch patch = {.sides = CORNERS, .V0 = f->A0[e]};
+        for (int k = 0; k < NMAT; k++) patch.F[k] = f->F[k][e];
+        for (int c = 0; c < CORNERS; c++)
+            for (int d = 0; d < DIM; d++) {
+                const int i = f->corner[c][e];
+                patch.corner[c][d] = f->x[d][i];
+                patch.X[d] += f->X[d][i] / CORNERS;
+                patch.x[d] += f->x[d][i] / CORNERS;
+                patch.v[d] += f->v[d][i] / CORNERS;
+            }
+        visit(own, &patch);
+    }
+}
+
 static void destroy(void *self)
 {
     fem_free(self);
@@ -114,6 +132,8 @@ const Solver solver_fem = {
     .view = view,
     .counts = counts,
     .impulse = impulse,
+    .patches = patches,
+    .elements = true,
     .point_stress = point_stress,
     .free = destroy,
 };

@@ -29,6 +29,22 @@ static inline void tent_shape(const Axis *axis, int width, const Field x, const 
     }
 }
 
+/* The tent whose points on a wall see the cell within it, not the one beyond. */
+static inline void inner_tent_shape(const Axis *axis, int width, const Field x, const Field b,
+                                    Stencil *out)
+{
+    (void)width, (void)b;
+    const double wall = axis->wall_hi, above = wall + 1e-9;
+    for (int p = 0; p < CHUNK; p++) {
+        double c = floor(x[p]);
+        c = c >= wall && x[p] < above ? wall - 1 : c;
+        double f = x[p] - c;
+        out->base[p] = (int)c;
+        out->table[T_S][0][p] = 1 - f, out->table[T_S][1][p] = f;
+        out->table[T_G][0][p] = -1, out->table[T_G][1][p] = 1;
+    }
+}
+
 /* Nodes |k - r| < 1 + b about the nearest node, |r| <= 1/2. */
 static inline int gimp_width(double b)
 {
@@ -91,7 +107,7 @@ static inline void gimp_shape(const Axis *axis, int width, const Field x, const 
         }
 }
 
-/* Quadratic spline about the nearest node, W11 eq 4: |x - x_i| < 3/2. */
+/* Quadratic spline about the nearest node, W11 eq 4, the weight of WLS, too: |x - x_i| < 3/2. */
 static inline int spline_width(double b)
 {
     (void)b;
@@ -121,7 +137,8 @@ static inline void folded_shape(const Axis *axis, int width, const Field x, cons
                                 Stencil *out)
 {
     (void)width, (void)b;
-    const double lo = axis->wall_lo, hi = axis->wall_hi;
+    const double lo = axis->open_lo ? -INFINITY : axis->wall_lo;
+    const double hi = axis->open_hi ? INFINITY : axis->wall_hi;
     for (int p = 0; p < CHUNK; p++) {
         const double at = floor(x[p] + 0.5), c = at + (at < lo) - (at > hi), r = x[p] - c;
         const double low = c - 1 < lo, high = c + 1 > hi;

@@ -80,6 +80,16 @@ static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
     }
 }
 
+/* The circles move to R + u(R, t). */
+static double distance(const Scene *s, const Vec x, double t)
+{
+    const double a = amplitude(s, t), c1 = s->k[C1], c2 = s->k[C2], c3 = s->k[C3];
+    const double lo = inner * (1 + a * (c1 + inner * (c2 + inner * c3)));
+    const double hi = outer * (1 + a * (c1 + outer * (c2 + outer * c3)));
+    const double r = hypot(x[0] - s->body.centre[0], x[1] - s->body.centre[1]);
+    return fmin(r - lo, hi - r);
+}
+
 /* F = F_tt I + (F_rr - F_tt) e_R e_R^T; at rest, since u_t ~ sin(w t). */
 static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fields F, Fields L)
 {
@@ -135,8 +145,8 @@ static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
     const int rings = (int)ceil((outer - inner) / spacing - 1e-9);
     const double dr = (outer - inner) / rings;
     for (int k = 0; k < rings; k++) add_circle(s, inner + (k + 0.5) * dr, dr, spacing, out);
-    add_circle(s, inner, 0, spacing, out);
-    add_circle(s, outer, 0, spacing, out);
+    add_circle(s, inner, 0, layout_surface_spacing(out, spacing), out);
+    add_circle(s, outer, 0, layout_surface_spacing(out, spacing), out);
     return true;
 }
 
@@ -154,5 +164,6 @@ const Problem problem_ring = {
     .place = place,
     .start = start,
     .exact = exact,
+    .distance = distance,
     .body = body,
 };

@@ -44,7 +44,7 @@ static void add(Cases *cases, const char *kind, const char *file, const char *te
     if (cases->methods && !in_list(cases->methods, c.spec.method)) return;
     spec_command(&c.spec, command);
     c.command = text_of("%s", command);
-    c.key = text_of("%s %08lx", command, program_checksum());
+    c.key = text_of("%s %s", command, cases->program);
     c.file = file ? text_of("%s/%s", cases->dir, file) : NULL;
     cases->list = one_more(cases->list, cases->n, sizeof c);
     cases->list[cases->n++] = c;
@@ -81,6 +81,8 @@ static void set_outputs(Cases *cases)
             c->spec.particles = c->file;
         else if (strcmp(c->kind, "nodes") == 0)
             c->spec.nodes = c->file;
+        else if (strcmp(c->kind, "samples") == 0)
+            c->spec.samples = c->file;
         else
             fault_set(&cases->fault, FAULT_USAGE, "case file of unknown kind '%s'", c->kind);
     }
@@ -90,6 +92,7 @@ int cases_build(Cases *cases, const Study *study, bool quick, const char *method
                 Fault *fault)
 {
     *cases = (Cases){.dir = dir, .methods = methods};
+    snprintf(cases->program, sizeof cases->program, "%08lx", program_checksum());
     if (study->cases) study->cases(cases, quick);
     set_outputs(cases);
     if (cases->fault.code == 0) return 0;

@@ -19,6 +19,7 @@ struct Cases {
     Case *list;
     const char *dir;     /* where files go */
     const char *methods; /* keep only these ("mpm,gimp"), or NULL: all */
+    char program[16];    /* what this program was built from: the last word of every key */
     Fault fault;         /* the first wrong case, if any */
 };
 

@@ -4,6 +4,7 @@
 #include "cli.h"
 #include "csv_append.h"
 #include "run_args.h"
+#include "study_run.h"
 
 static void print_row(const Row *row)
 {
@@ -24,6 +25,7 @@ static int run(int argc, char **argv, Fault *fault)
     if (!engine) return FAULT_USAGE;
     if ((code = engine->resolve(&args.spec, fault))) return code;
     if (args.csv && (code = csv_append_check(args.csv, fault))) return code;
+    if (args.spec.vtk && (code = folder_make(args.spec.vtk, fault))) return code;
     if ((code = engine->run(&args.spec, &row, fault))) return code;
     print_row(&row);
     if (!args.quiet && strcmp(row.status, "ok") != 0)

@@ -64,11 +64,23 @@ int collect_list(const Study *study, const Cases *cases, const Journal *journal,
     return code;
 }
 
+/* Are its columns a row's, and does the file end in a line's end? A torn last number may read well.
+ */
+static bool is_whole(const Table *t, const char *file)
+{
+    FILE *f = fopen(file, "r");
+    bool whole = f && t->ncol == row_columns() && fseek(f, -1, SEEK_END) == 0 && getc(f) == '\n';
+    for (int k = 0; whole && k < t->ncol; k++) whole = strcmp(t->name[k], row_column_name(k)) == 0;
+    if (f) fclose(f);
+    return whole;
+}
+
 /* The last row of a table as one line, or NULL if there is none. */
 static char *last_row(const char *file)
 {
     Table *t = table_read(file, NULL);
     char *line = NULL;
+    if (t && !is_whole(t, file)) t->nrow = 0;
     for (int k = 0; t && t->nrow && k < t->ncol; k++) {
         const char *cell = t->cell[(t->nrow - 1) * t->ncol + k];
         char *longer = text_of("%s%s%s", line ? line : "", k ? "," : "", cell);

@@ -3,12 +3,14 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "../common/table.h"
+
+enum { BLOCK = 512 };
 
 static int machine(const char *path, Fault *fault)
 {
@@ -43,16 +45,12 @@ int csv_append_check(const char *path, Fault *fault)
         close(fd);
         return header < 0 ? fault->code : 0;
     }
-    const char *slash = strrchr(path, '/');
-    char folder[PATH_MAX];
-    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1,
-             slash ? path : ".");
-    if (errno == ENOENT && access(folder, W_OK | X_OK) == 0) return 0;
-    return machine(path, fault);
+    return errno == ENOENT ? file_check(path, fault) : machine(path, fault);
 }
 
 /* Makes the file end in a whole line: a last line without its end gets one if it has every cell,
- * and is dropped if not. The file's new size, or -1. */
+ * and is dropped if not. So it is where a block of the disk ends, for that is where writes are
+ * torn: its last number may have lost digits. The file's new size, or -1. */
 static off_t mend_tail(int fd, off_t size, const char *path, FILE *notes)
 {
     char c = '\n';
@@ -63,7 +61,7 @@ static off_t mend_tail(int fd, off_t size, const char *path, FILE *notes)
         whole--;
     }
     if (whole == size) return size;
-    if (cells == row_columns()) return write(fd, "\n", 1) == 1 ? size + 1 : -1;
+    if (cells == row_columns() && size % BLOCK != 0) return write(fd, "\n", 1) == 1 ? size + 1 : -1;
     if (notes) fprintf(notes, "mpmlab: %s: dropped its last line, which was torn\n", path);
     return ftruncate(fd, whole) == 0 ? whole : -1;
 }

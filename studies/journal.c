@@ -30,7 +30,9 @@ static size_t record_at(const char *text, size_t n)
     size_t length = strtoul(text, NULL, 10);
     if (length >= n - HEAD || text[HEAD + length] != '\n') return 0;
     if (strtoul(text + 9, NULL, 16) != checksum(text + HEAD, length)) return 0;
-    return memchr(text + HEAD, '\t', length) ? HEAD + length + 1 : 0;
+    const char *body = text + HEAD; /* one line of text, a tab behind the key */
+    if (memchr(body, '\n', length) || memchr(body, '\0', length)) return 0;
+    return memchr(body, '\t', length) ? HEAD + length + 1 : 0;
 }
 
 static int by_key(const void *a, const void *b)
@@ -102,12 +104,28 @@ static int lock(int fd, const char *path)
     return flock(fd, LOCK_EX);
 }
 
+/* Is fd still the file of that name? Whoever held it before may have replaced it. */
+static int is_current(int fd, const char *path)
+{
+    struct stat ours, named;
+    return fstat(fd, &ours) == 0 && stat(path, &named) == 0 && ours.st_ino == named.st_ino &&
+           ours.st_dev == named.st_dev;
+}
+
 int journal_open(Journal *j, const char *path, Fault *fault)
 {
-    *j = (Journal){.fd = open(path, O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666)};
-    if (j->fd < 0) return machine(path, fault);
-    int code = lock(j->fd, path) == 0 ? journal_reload(j, path, fault) : machine(path, fault);
-    if (code) journal_close(j);
+    for (*j = (Journal){.fd = -1};;) {
+        j->fd = open(path, O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+        if (j->fd < 0 || lock(j->fd, path) != 0) break;
+        if (is_current(j->fd, path)) {
+            int code = journal_reload(j, path, fault);
+            if (code) journal_close(j);
+            return code;
+        }
+        close(j->fd);
+    }
+    int code = machine(path, fault);
+    journal_close(j);
     return code;
 }
 
@@ -124,16 +142,22 @@ const char *journal_row(const Journal *j, const char *key)
     return NULL;
 }
 
-int journal_append(int fd, const char *key, const char *row)
+char *journal_line(const char *key, const char *row)
 {
     char *body = text_of("%s\t%s", key, row);
-    size_t length = strlen(body), whole = HEAD + length + 1;
+    size_t length = strlen(body);
     char *line = text_of("%08zu %08lx %s\n", length, checksum(body, length), body);
-    ssize_t done = write(fd, line, whole);
+    free(body);
+    return line;
+}
+
+int journal_append(int fd, const char *key, const char *row)
+{
+    char *line = journal_line(key, row);
+    ssize_t whole = (ssize_t)strlen(line), done = write(fd, line, (size_t)whole);
     int error = done < 0 ? errno : ENOSPC;
     free(line);
-    free(body);
-    return done == (ssize_t)whole ? 0 : error;
+    return done == whole ? 0 : error;
 }
 
 void journal_close(Journal *j)

@@ -6,6 +6,8 @@
 #include <stddef.h>
 #include "../common/fault.h"
 
+enum { MOST_PROGRAMS = 4 };
+
 typedef struct Record {
     const char *key, *row; /* one line each */
 } Record;
@@ -21,11 +23,19 @@ typedef struct Journal {
  * off a torn tail. 0, or a fault with code 1. */
 int journal_open(Journal *j, const char *path, Fault *fault);
 
+/* Rewrites the file without what no program can use any more: older rows of equal keys, and rows of
+ * all programs (the last word of a key) but this one and the MOST_PROGRAMS - 1 that wrote last. It
+ * is replaced whole, and only if that makes it smaller. 0 or a fault. */
+int journal_compact(Journal *j, const char *path, const char *program, Fault *fault);
+
 /* Reads again what has been appended since. */
 int journal_reload(Journal *j, const char *path, Fault *fault);
 
 /* The row with that key, or NULL; valid until the next reload. */
 const char *journal_row(const Journal *j, const char *key);
+
+/* A record as it stands in the file, its newline included; the caller frees it. */
+char *journal_line(const char *key, const char *row);
 
 /* Appends a record by one write(); may be called by several processes sharing fd. 0, or errno. */
 int journal_append(int fd, const char *key, const char *row);

@@ -133,11 +133,14 @@ static void figure(FILE *f, const Check *claims, const Study *s, const char *dir
         fprintf(f, "<img src=\"%s.svg\" loading=\"lazy\" alt=\"", s->name);
         element(f, "", s->about, "\">\n");
     }
+    if (has(dir, s->name, "gif"))
+        fprintf(f, "<img src=\"%s.gif\" loading=\"lazy\" alt=\"the same, moving\">\n", s->name);
     claim_table(f, claims, s);
     fputs("<p class=\"soft\">", f);
     link_to(f, dir, s->name, "csv");
     link_to(f, dir, s->name, "json");
     link_to(f, dir, s->name, "png");
+    link_to(f, dir, s->name, "gif");
     fprintf(f, "<code>build/mpmlab study %s</code></p>\n", s->name);
 }
 

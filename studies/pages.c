@@ -76,6 +76,13 @@ double curve_deviation(const Curve *c, int n, const double printed[][3])
     return worst;
 }
 
+bool method_known(const char *name)
+{
+    for (const Info *const *m = engine_2d.methods; *m; m++)
+        if (strcmp((*m)->name, name) == 0) return true;
+    return false;
+}
+
 double median(int n, double y[])
 {
     if (n < 1) return NAN;

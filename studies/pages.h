@@ -30,6 +30,9 @@ double curve_deviation(const Curve *c, int n, const double printed[][3]);
 double value_pick(const Table *rows, const char *want, const char *where, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* Is this a method (or FEM) of the plane? */
+bool method_known(const char *name);
+
 /* Median of y[n] (GSL); sorts y. NAN of nothing. */
 double median(int n, double y[]);
 

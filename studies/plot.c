@@ -1,29 +1,24 @@
-/* plot.c: runs gnuplot, once a format, without a shell and not for ever; a figure appears whole. */
-#define _GNU_SOURCE /* memfd_create */
+/* plot.c: which figures are to be drawn, once a format; a figure appears whole. */
 #include "plot.h"
 
 #include <dirent.h>
-#include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <math.h>
-#include <signal.h>
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#include "gnuplot.h"
 #include "memory.h"
 
-extern char **environ;
-
-enum { SECONDS = 120, TICKS = 200 /* a second */ };
-
-static const char *const formats[] = {"svg", "png"};
-enum { FORMATS = 2 };
+/* A figure is drawn as svg and png by NAME.gp; a moving picture by NAME.gif.gp, if there is one. */
+static const struct {
+    const char *name, *script;
+    int always;
+} formats[] = {{"svg", ".gp", 1}, {"png", ".gp", 1}, {"gif", ".gif.gp", 0}};
+enum { FORMATS = 3 };
 
 /* The folder of the scripts: beside the program's build folder, or installed. NULL if absent. */
 static char *plots_folder(void)
@@ -70,83 +65,36 @@ static char *settings(const char *const values[][2], int n)
     return all;
 }
 
-/* Starts gnuplot with its messages going to log. 0, or an errno (ENOENT: there is none). */
-static int start(const char *set, const char *script, int log, pid_t *pid)
+/* A new drawing is stamped as such even if it is the old one, or it would be drawn again. */
+static int draw(const char *set, const char *script, FILE *f, const char *whole, Fault *fault)
 {
-    char *const argv[] = {"gnuplot", "-e", (char *)set, (char *)script, NULL};
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawnattr_init(&attributes);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, log, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, log, STDERR_FILENO);
-    int error = posix_spawnp(pid, "gnuplot", &actions, &attributes, argv, environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
-    return error;
-}
-
-/* The status of a process that ends in time, or -1: it was killed. */
-static int wait_for(pid_t pid)
-{
-    const struct timespec tick = {.tv_nsec = 1000000000 / TICKS};
-    int status;
-    for (int k = 0; k < SECONDS * TICKS; k++) {
-        pid_t got = waitpid(pid, &status, WNOHANG);
-        if (got == pid) return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-        if (got < 0 && errno != EINTR) return -1;
-        nanosleep(&tick, NULL);
-    }
-    kill(pid, SIGKILL);
-    waitpid(pid, &status, 0);
-    return -1;
-}
-
-/* The last line that gnuplot wrote: what went wrong. */
-static void last_line(int log, char line[256])
-{
-    char text[4096];
-    ssize_t n = pread(log, text, sizeof text - 1, 0);
-    text[n > 0 ? n : 0] = '\0';
-    while (n > 0 && strchr(" \t\r\n", text[n - 1])) text[--n] = '\0';
-    const char *last = strrchr(text, '\n');
-    snprintf(line, 256, "%.255s", last ? last + 1 + strspn(last + 1, " \t") : text);
-}
-
-static int draw(const char *set, const char *script, const char *part, const char *whole,
-                Fault *fault)
-{
-    pid_t pid;
     struct stat s;
-    char line[256];
-    int log = memfd_create("gnuplot", MFD_CLOEXEC), error = start(set, script, log, &pid);
-    int status = error ? -1 : wait_for(pid);
-    last_line(log, line);
-    close(log);
-    if (error == ENOENT) return PLOT_NO_GNUPLOT;
-    if (status == 0 && stat(part, &s) == 0 && s.st_size > 0) {
-        if (rename(part, whole) == 0) return 0;
-        snprintf(line, sizeof line, "%s", strerror(errno));
+    int code = gnuplot_run(set, script, fileno(f), fault);
+    if (code == 0 && (fstat(fileno(f), &s) != 0 || s.st_size == 0))
+        code = fault_set(fault, FAULT_MACHINE, "%.200s: gnuplot drew nothing", script);
+    if (code) {
+        file_abandon(f, whole);
+        return code;
     }
-    unlink(part);
-    return fault_set(fault, FAULT_MACHINE, "%.200s: %s", script,
-                     line[0] ? line : "gnuplot drew nothing");
+    code = file_commit(f, whole, fault);
+    if (code == 0) utimensat(AT_FDCWD, whole, NULL, 0);
+    return code;
 }
 
-static int draw_format(const Study *study, const char *dir, const char *plots, const char *format,
-                       Fault *fault)
+static int draw_format(const Study *study, const char *dir, const char *plots, int k, Fault *fault)
 {
-    char *script = text_of("%s/%s.gp", plots, study->name);
+    const char *format = formats[k].name;
+    char *script = text_of("%s/%s%s", plots, study->name, formats[k].script);
     char *csv = text_of("%s/%s.csv", dir, study->name);
     char *whole = text_of("%s/%s.%s", dir, study->name, format);
-    char *part = text_of("%s.tmp", whole);
-    const char *const values[][2] = {{"fmt", format},       {"out", part}, {"dir", dir},
-                                     {"name", study->name}, {"csv", csv},  {"plots", plots}};
+    FILE *f = file_begin(whole, fault);
+    char *out = text_of("/proc/self/fd/%d", f ? fileno(f) : -1);
+    const char *const values[][2] = {{"fmt", format},       {"out", out}, {"dir", dir},
+                                     {"name", study->name}, {"csv", csv}, {"plots", plots}};
     char *set = settings(values, 6);
-    int code = draw(set, script, part, whole, fault);
+    int code = f ? draw(set, script, f, whole, fault) : FAULT_MACHINE;
     free(set);
-    free(part);
+    free(out);
     free(whole);
     free(csv);
     free(script);
@@ -188,21 +136,25 @@ static double newest_input(const char *dir, const char *name)
     return newest;
 }
 
-static bool is_fresh(const Study *study, const char *dir, const char *plots)
+/* Must this format be drawn? */
+static bool is_due(const Study *study, const char *dir, const char *plots, int k)
 {
-    double inputs = fmax(age(plots, study->name, ".gp"), age(plots, "style", ".gp"));
-    inputs = fmax(inputs, newest_input(dir, study->name));
-    return age(dir, study->name, ".svg") > inputs && age(dir, study->name, ".png") > inputs;
+    const double script = age(plots, study->name, formats[k].script);
+    const double inputs =
+        fmax(fmax(script, age(plots, "style", ".gp")), newest_input(dir, study->name));
+    char *ending = text_of(".%s", formats[k].name);
+    const bool fresh = age(dir, study->name, ending) > inputs;
+    free(ending);
+    return (script > 0 || formats[k].always) && !fresh;
 }
 
 int plot_study(const Study *study, const char *dir, Fault *fault)
 {
     char *plots = plots_folder(), folder[PATH_MAX];
     int code = 0;
-    if (plots && age(plots, study->name, ".gp") > 0 && realpath(dir, folder) &&
-        !is_fresh(study, folder, plots))
+    if (plots && age(plots, study->name, ".gp") > 0 && realpath(dir, folder))
         for (int k = 0; k < FORMATS && code == 0; k++)
-            code = draw_format(study, folder, plots, formats[k], fault);
+            if (is_due(study, folder, plots, k)) code = draw_format(study, folder, plots, k, fault);
     free(plots);
     return code;
 }

@@ -2,12 +2,14 @@
 #ifndef MPMLAB_PLOT_H
 #define MPMLAB_PLOT_H
 
+#include "gnuplot.h"
 #include "study.h"
 
-enum { PLOT_NO_GNUPLOT = -1 };
+enum { PLOT_NO_GNUPLOT = GNUPLOT_ABSENT };
 
 /* Draws dir/NAME.svg and .png with plots/NAME.gp if they are older than what they are made from.
- * 0 (also if the study has no script), PLOT_NO_GNUPLOT, or a fault: the script failed. */
+ * 0 (also if the study has no script), PLOT_NO_GNUPLOT, 130: a signal asked
+ * to stop; or a fault: the script failed. */
 int plot_study(const Study *study, const char *dir, Fault *fault);
 
 #endif

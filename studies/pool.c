@@ -3,18 +3,17 @@
 #include "pool.h"
 
 #include <errno.h>
-#include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 #include "cli.h"
 #include "memory.h"
 #include "progress.h"
+#include "signals.h"
 
 enum { MOST_JOBS = 1024, IDLE = -1 };
 
@@ -32,7 +31,7 @@ typedef struct Pool {
     const char *path;
     Shared *shared;
     pid_t pid[MOST_JOBS];
-    sigset_t signals, before;
+    Signals signals;
 } Pool;
 
 static void report(Shared *s, const char *what, const char *why)
@@ -62,8 +61,9 @@ static _Noreturn void work(const Pool *p, int worker, pid_t parent)
     Shared *s = p->shared;
     prctl(PR_SET_PDEATHSIG, SIGKILL); /* the journal's lock must not outlive the study */
     signal(SIGINT, SIG_IGN);          /* from a terminal: the parent decides */
+    signal(SIGHUP, SIG_IGN);
     signal(SIGTERM, SIG_DFL);
-    sigprocmask(SIG_SETMASK, &p->before, NULL);
+    signals_release(&p->signals);
     while (!s->stop && getppid() == parent) {
         int k = atomic_fetch_add(&s->next, 1);
         if (k >= p->n) break;
@@ -122,24 +122,14 @@ static void stop_workers(Pool *p)
 /* Sleeps until a worker ends, a signal comes, or it is time to draw. 130 if asked to stop. */
 static int watch(Pool *p, Progress *progress)
 {
-    const struct timespec tick = {.tv_nsec = 100000000};
     while (reap(p) > 0) {
-        int got = sigtimedwait(&p->signals, NULL, &tick);
+        bool stop = signals_wait(&p->signals, 0.1);
         progress_draw(progress, p->shared->done);
-        if (got != SIGINT && got != SIGTERM) continue;
+        if (!stop) continue;
         stop_workers(p);
         return EXIT_INTERRUPTED;
     }
     return 0;
-}
-
-static void block_signals(Pool *p)
-{
-    sigemptyset(&p->signals);
-    sigaddset(&p->signals, SIGCHLD);
-    sigaddset(&p->signals, SIGINT);
-    sigaddset(&p->signals, SIGTERM);
-    sigprocmask(SIG_BLOCK, &p->signals, &p->before);
 }
 
 static int outcome(const Shared *s, Fault *fault)
@@ -165,10 +155,10 @@ int pool_run(const Cases *cases, const int *todo, int n, int jobs, const Journal
               .path = path,
               .shared = shared};
     Progress progress = progress_start(title, n);
-    block_signals(&p);
+    signals_hold(&p.signals);
     for (int w = 0; w < p.jobs; w++) start(&p, w);
     int code = watch(&p, &progress);
-    sigprocmask(SIG_SETMASK, &p.before, NULL);
+    signals_release(&p.signals);
     progress_end(&progress);
     if (code)
         fault_set(fault, code, "interrupted; a re-run continues from here");

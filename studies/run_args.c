@@ -17,8 +17,9 @@ const Option run_options[] = {
     {"history", "FILE", "write energies and errors of every step"},
     {"particles", "FILE", "write the particles at the end"},
     {"nodes", "FILE", "write the grid nodes at the end"},
+    {"samples", "FILE", "write what carries strain at the end: elements of fem, else particles"},
     {"vtk", "DIR", "write snapshots into DIR"},
-    {"every", "K", "steps between snapshots"},
+    {"every", "K", "steps between snapshots (default: first and last only)"},
     {"quiet", NULL, "no messages"},
     {NULL, NULL, NULL},
 };
@@ -42,11 +43,9 @@ static const struct File {
     const char *option;
     size_t at;
 } files[] = {
-    {"history", offsetof(RunArgs, spec.history)},
-    {"particles", offsetof(RunArgs, spec.particles)},
-    {"nodes", offsetof(RunArgs, spec.nodes)},
-    {"vtk", offsetof(RunArgs, spec.vtk)},
-    {"csv", offsetof(RunArgs, csv)},
+    {"history", offsetof(RunArgs, spec.history)}, {"particles", offsetof(RunArgs, spec.particles)},
+    {"nodes", offsetof(RunArgs, spec.nodes)},     {"samples", offsetof(RunArgs, spec.samples)},
+    {"vtk", offsetof(RunArgs, spec.vtk)},         {"csv", offsetof(RunArgs, csv)},
 };
 
 enum { MOST_NAMES = 64 };
@@ -129,6 +128,12 @@ static int take_number(RunSpec *spec, const struct Number *n, const char *got, F
 static int take_file(RunArgs *args, const struct File *f, const char *got, Fault *fault)
 {
     if (!*got) return fault_set(fault, FAULT_USAGE, "--%s: got '', takes a path", f->option);
+    for (const struct File *o = files; o < files + sizeof files / sizeof *files; o++) {
+        const char *taken = *(const char **)((char *)args + o->at);
+        if (taken && o != f && strcmp(taken, got) == 0)
+            return fault_set(fault, FAULT_USAGE, "--%s: got '%.80s', takes another path than --%s",
+                             f->option, got, o->option);
+    }
     *(const char **)((char *)args + f->at) = got;
     return 0;
 }

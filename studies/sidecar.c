@@ -33,7 +33,14 @@ int rows_write(const Cases *cases, const Journal *journal, const char *path, Fau
     if (!f) return FAULT_MACHINE;
     row_header(header);
     print_line(f, header);
-    for (int k = 0; k < cases->n; k++) print_line(f, journal_row(journal, cases->list[k].key));
+    for (int k = 0; k < cases->n; k++) {
+        const char *row = journal_row(journal, cases->list[k].key);
+        if (!row) { /* only if the disk did not keep what was written to it */
+            file_abandon(f, path);
+            return fault_set(fault, FAULT_MACHINE, "%s: the journal lost a row", path);
+        }
+        print_line(f, row);
+    }
     return file_commit(f, path, fault);
 }
 

@@ -99,7 +99,8 @@ int study_run(const Study *study, const StudyOptions *o, Fault *fault)
     bool nothing = code == 0 && o->methods && cases.n == 0; /* none of its cases has the methods */
     if (code == 0 && !nothing) code = journal_open(&journal, path, fault);
     if (code == 0 && !nothing) {
-        code = run_locked(study, o, &cases, &journal, path, fault);
+        if (o->action != STUDY_LIST) code = journal_compact(&journal, path, cases.program, fault);
+        if (code == 0) code = run_locked(study, o, &cases, &journal, path, fault);
         journal_close(&journal);
     }
     cases_free(&cases);

@@ -24,8 +24,8 @@ typedef struct Study {
 /* Adds one run, given as the command line would: case_add(cases, "run bar --ppc %d", n). */
 void case_add(Cases *cases, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The same with a file that the run must leave beside the table: kind is "history", "particles" or
- * "nodes", file a name within the study's folder. */
+/* The same with a file that the run must leave beside the table: kind is "history", "particles",
+ * "samples" or "nodes", file a name within the study's folder. */
 void case_add_with(Cases *cases, const char *kind, const char *file, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 

@@ -3,6 +3,7 @@
 # Writes below FOLDER only. Prints what failed, then "N passed, N failed"; status 1 if any did.
 set -u
 program=$(realpath "$1")
+here=$(realpath "$(dirname "$0")")
 mkdir -p "$2"
 work=$(mktemp -d "$(realpath "$2")/cli.XXXXXX")
 trap 'rm -rf "$work"' EXIT
@@ -95,7 +96,21 @@ done
 run run squeeze --help --nonsense
 ok "help beats a wrong option" test "$status" -eq 0
 run --version
-ok "version" test "$status" -eq 0 -a "$(lines out)" -eq 3
+ok "version" test "$status" -eq 0 -a "$(lines out)" -eq 5
+ok "version knows its dimensions and OpenMP" grep -qE '^dimensions 1 2|^OpenMP ([0-9]+|none)$' out
+run --man
+ok "a manual page that troff takes" test "$(man --warnings -l -Tutf8 out 2>&1 >/dev/null | wc -l)" -eq 0
+run study --help
+cp out help
+run --man
+while read -r option _ ; do
+    ok "$option is in the manual" grep -qF -- "${option//-/\\-}" out
+done < <(grep -oE -- '--[a-z-]+' help)
+run --completion
+completed() { bash -c "PATH=$(dirname "$program"):\$PATH; source ./out; COMP_WORDS=($1); COMP_CWORD=$2; _mpmlab; echo \${COMPREPLY[*]}"; }
+ok "completion of a command" test "$(completed 'mpmlab des' 1)" = describe
+ok "completion of an option" test "$(completed 'mpmlab run --cel' 2)" = --cells
+ok "completion of a method" test "$(completed 'mpmlab run bar --method ge_g' 4)" = ge_gimp
 
 # run
 run run squeeze --cells 50 --method mpm --set field=quadratic
@@ -204,6 +219,26 @@ ok "a line a claim" test "$(lines out)" -eq $(($(lines a/claims.csv) - 1))
 sed -i '2s/mpm/mpn/' a/$study.csv
 run claims --out a
 ok "a table that was edited is not judged" grep -q '^NOT_RUN.*not the one' out
+
+# Snapshots, opened by VTK's own reader
+/usr/bin/python3 -c 'import vtkmodules.vtkIOXML' 2>/dev/null && vtk=1 || vtk=0
+[ $vtk = 1 ] || echo "SKIPPED reading snapshots: no VTK for /usr/bin/python3 (make deps-extra)"
+vtk_read() { /usr/bin/python3 "$here/vtk_read.py" "$@" >read 2>&1; }
+for method in gimp fem wls2; do
+    run run disk_impact --method $method --cells 16 --vtk snap/$method --every 40 --particles last.csv --samples all.csv
+    ok "--vtk $method: $(cat err)" test "$status" -eq 0 -a -s snap/$method/particles.pvd
+    [ $method = fem ] || ok "samples of $method are its particles" cmp -s last.csv all.csv
+    [ $vtk = 1 ] && ok "VTK reads what $method wrote" vtk_read snap/$method last.csv
+done
+if [ $vtk = 1 ]; then
+    ok "VTK finds cut cells" grep -q '^cells.*cut.1.=0..1' read
+    last=$(ls snap/wls2/particles_*.vtp | tail -n 1)
+    sed -i '/Name="mass"/s/offset="[0-9]*"/offset="0"/' "$last"
+    ok "a wrong offset is noticed" bash -c '! /usr/bin/python3 "$0"/vtk_read.py snap/wls2 last.csv >/dev/null' "$here"
+    head -c 3000 "$last" >short && mv short "$last"
+    ok "a torn file is noticed" bash -c '! /usr/bin/python3 "$0"/vtk_read.py snap/wls2 >/dev/null' "$here"
+fi
+refused "--vtk below a file" 1 "t.csv" run disk_impact --vtk t.csv/x
 
 ok "nothing half written is left" test -z "$(find . -name '*.tmp')"
 echo "$passed passed, $failed failed"

@@ -29,6 +29,7 @@ check() { # DIM, rooms
         --suppress=arrayIndexOutOfBounds `# it does not follow branches on DIM` \
         --error-exitcode=1 -j "$(nproc)" "-DDIM=$1" "${@:2}" || complain "cppcheck, DIM=$1"
 }
+have shellcheck && { shellcheck -S warning tests/*.sh || complain "shellcheck"; }
 have cppcheck && { check 1 common methods; check 2 common methods problems fem_ref studies tests; }
 
 # Include rules: who may see whom.
@@ -66,7 +67,10 @@ stages() { # object, how many calls through pointers its stages make
 }
 if [ -d "$BUILD/gcc/d2" ]; then
     for object in "$BUILD"/gcc/d[12]/methods/*.o "$BUILD"/gcc/d[12]/common/{material,solve,mirror}.o; do
-        stages "$object" 0
+        case $object in
+        */wls_patches.o) ;; # for output: a call a polygon
+        *) stages "$object" 0 ;;
+        esac
     done
     for d in 1 2; do
         stages "$BUILD/gcc/d$d/common/deposit.o" 5 # width, shape of two axes, payload, body force

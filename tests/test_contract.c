@@ -1,7 +1,7 @@
 /* test_contract.c: the plug-in contract carries a pass that no method here was made for: moments of
  * a weighted-least-squares method (W11 eq 9) by the chunked loops, against plain sums. */
 #include "../common/passes.h"
-#include "../common/scheme.h"
+#include "../common/moments.h"
 #include "rig.h"
 
 /* The moments sum W {1, r, r r^T} and the loads sum W f {1, r} of a linear field f, lanes 0 .. 2

@@ -97,6 +97,9 @@ static void test_file_commit(void)
     CU_ASSERT(file_commit(out, path, &f) == 0);
     CU_ASSERT(stat(path, &after) == 0 && after.st_size == 5);
     unlink(path);
+    CU_ASSERT(file_check(path, &f) == 0 && file_check("no-such-file-yet", &f) == 0);
+    CU_ASSERT(file_check("/nowhere/at/all", &f) == FAULT_MACHINE);
+    CU_ASSERT(file_check(".", &f) == FAULT_MACHINE && strstr(f.text, "directory"));
     CU_ASSERT_PTR_NULL(file_begin("/nowhere/at/all", &f));
     CU_ASSERT(f.code == FAULT_MACHINE && strstr(f.text, "/nowhere/at/all"));
 }
@@ -227,6 +230,34 @@ static void test_journal_torn_middle(void)
     unlink(path);
 }
 
+/* A journal that five programs wrote into, two rows each. */
+static void test_journal_compact(void)
+{
+    const char *path = scratch("compact");
+    struct stat before, after;
+    char key[32], row[32];
+    Journal j;
+    CU_ASSERT_FATAL(journal_open(&j, path, NULL) == 0);
+    for (int k = 0; k < 15; k++) {
+        snprintf(key, sizeof key, "run %d 0000000%d", k % 2, k / 3);
+        snprintf(row, sizeof row, "row,%d", k);
+        CU_ASSERT(journal_append(j.fd, key, row) == 0);
+    }
+    CU_ASSERT(journal_reload(&j, path, NULL) == 0 && j.n == 10);
+    CU_ASSERT(fstat(j.fd, &before) == 0);
+    CU_ASSERT(journal_compact(&j, path, "00000001", NULL) == 0);
+    CU_ASSERT(fstat(j.fd, &after) == 0 && after.st_size < before.st_size);
+    CU_ASSERT(j.n == 8); /* ours and the newest three: program 0 is gone, the doubled rows, too */
+    CU_ASSERT(!journal_row(&j, "run 0 00000000") && journal_row(&j, "run 1 00000001"));
+    CHECK_TEXT(journal_row(&j, "run 0 00000004"), "row,14");
+    CU_ASSERT(journal_append(j.fd, "new", "row") == 0);
+    CU_ASSERT(journal_compact(&j, path, "00000001", NULL) == 0);
+    journal_close(&j);
+    CU_ASSERT(journal_open(&j, path, NULL) == 0 && j.n == 7); /* "new" is a program of its own */
+    journal_close(&j);
+    unlink(path);
+}
+
 const TestCase files_tests[] = {
     {"CSV round trip", test_csv_round_trip},
     {"CSV damaged", test_csv_damaged},
@@ -237,5 +268,6 @@ const TestCase files_tests[] = {
     {"journal", test_journal},
     {"journal with a torn tail", test_journal_torn_tail},
     {"journal torn in the middle", test_journal_torn_middle},
+    {"journal loses the rows of old programs", test_journal_compact},
     {NULL, NULL},
 };

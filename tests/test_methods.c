@@ -213,7 +213,7 @@ static void test_damping(void)
 
 static void check_folded(const Field x)
 {
-    const Axis axis = {10, 14};
+    const Axis axis = {.wall_lo = 10, .wall_hi = 14};
     Stencil s;
     Field b = {0};
     folded_shape(&axis, 3, x, b, &s);
@@ -238,7 +238,7 @@ static void check_folded(const Field x)
 /* Inside they are the plain spline's, at a wall a tent. */
 static void test_folded(void)
 {
-    const Axis axis = {10, 14};
+    const Axis axis = {.wall_lo = 10, .wall_hi = 14};
     Stencil folded, plain;
     Field x, b = {0};
     for (int p = 0; p < CHUNK; p++) x[p] = 10 + 4 * (p + 0.5) / CHUNK;

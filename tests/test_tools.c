@@ -65,6 +65,10 @@ static void test_fault(void)
     CU_ASSERT(fault_set(&f, FAULT_USAGE, "got '%s'", "a\nb") == FAULT_USAGE);
     CHECK_TEXT(f.text, "got 'a b'");
     CU_ASSERT(fault_set(NULL, FAULT_MACHINE, "x") == FAULT_MACHINE);
+    CU_ASSERT(fault_set(&f, FAULT_MACHINE, "%0*d: no room", 5000, 1) == FAULT_MACHINE);
+    CU_ASSERT(strlen(f.text) < sizeof f.text && strstr(f.text, "1: no room"));
+    fault_set(&f, FAULT_MACHINE, "%0*d", (int)sizeof f.text - 1, 1);
+    CU_ASSERT(strlen(f.text) == sizeof f.text - 1 && !strchr(f.text, '.'));
 }
 
 static void test_spec_set(void)
@@ -186,11 +190,14 @@ static const TestCase tools_tests[] = {
     {NULL, NULL},
 };
 
-extern const TestCase files_tests[], study_tests[];
+extern const TestCase files_tests[], study_tests[], found_tests[];
 
 int main(void)
 {
-    const TestSuite suites[] = {
-        {"tools", tools_tests}, {"files", files_tests}, {"study", study_tests}, {NULL, NULL}};
+    const TestSuite suites[] = {{"tools", tools_tests},
+                                {"files", files_tests},
+                                {"study", study_tests},
+                                {"found by the fuzzers", found_tests},
+                                {NULL, NULL}};
     return check_run(suites);
 }

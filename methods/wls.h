@@ -1,0 +1,121 @@
+/* wls.h: rooms of the weighted-least-squares method (W11 sections 3, 4): what they share.
+ *
+ *   wls_moments.c   particles to moments and loads of every node (eqs 7-9)
+ *   wls_fit.c       planes from them (eqs 10-12)
+ *   wls_surface.c   signed distance of nodes from flagged surface points (eqs 13-17)
+ *   wls_squares.c   marching squares: the shape of a cut cell (eq 18)
+ *   wls_cells.c     integrals over full and cut cells (eqs 19-24)
+ *   wls_nodes.c     spurious nodes and nodes without mass (3.5, 4.5)
+ *   wls_step.c      their order, workspace
+ *
+ * Lengths are in cells; r = x_p - x_i. A node's function is f(r) = c0 + c . r of each quantity. */
+#ifndef MPMLAB_WLS_H
+#define MPMLAB_WLS_H
+
+#include "../common/sim.h"
+
+/* Parameters of wls and wls2, in the order of their lists. */
+enum {
+    P_STRESS,
+    P_QUADRATURE,
+    P_DISTANCE,
+    P_SPURIOUS,
+    P_RETURN,
+    P_AVERAGE,
+    P_TRIGGER,
+    P_SURFACE_PER_CELL
+};
+enum { STRESS_LINEAR, STRESS_C0 };
+enum { QUADRATURE_CENTROID, QUADRATURE_EXACT };
+enum { DISTANCE_WEIGHTED_MEAN, DISTANCE_NORMALS, DISTANCE_EXACT };
+enum { SPURIOUS_CONSTANT, SPURIOUS_EXTRAPOLATE };
+enum { RETURN_LINEAR, RETURN_SPLINE };
+enum { AVERAGE_WEIGHTED, AVERAGE_LITERAL };
+
+enum { CORNERS = 1 << DIM, PAIRS = DIM * (DIM + 1) / 2 };
+
+/* Lines of a node. Before the solution: moments, then loads of all quantities times 1, r_0, r_1,
+ * ...; after it the coefficients c0, c_0, c_1, ... stand where the loads were. */
+enum { FIT_MOMENTS, FIT_VALUE, FIT_SLOPE, FIT = FIT_SLOPE + DIM };
+
+/* Lanes of the moments: 1, r_d, r_d r_e (d <= e), all times W; last beta (eq 13), times the tent S.
+ */
+enum { M_ONE, M_FIRST, M_SECOND = M_FIRST + DIM, M_BETA = M_SECOND + PAIRS };
+
+/* Lanes of the quantities: v, rho, f_ext = rho b, sigma (a <= b). */
+enum {
+    Q_V,
+    Q_RHO = Q_V + DIM,
+    Q_FORCE = Q_RHO + 1,
+    Q_SIGMA = Q_FORCE + DIM,
+    QUANTITIES = Q_SIGMA + PAIRS
+};
+
+/* Lanes of sums over surface points, all times the tent: 1, r_d, r . n. */
+enum { K_ONE, K_FIRST, K_NORMAL = K_FIRST + DIM };
+
+_Static_assert(M_BETA < (int)LANES && QUANTITIES <= (int)LANES && K_NORMAL < (int)LANES, "lanes");
+
+/* Number of the pair (d, e), d <= e, in row order. */
+static inline int pair(int d, int e)
+{
+    return d <= e ? d * DIM - d * (d - 1) / 2 + e - d : pair(e, d);
+}
+
+typedef struct Wls {
+    bool linear, exact, extrapolate, literal; /* choices: see the parameters */
+    int distance_by;
+    double trigger;
+    double inside;       /* nodes with more beta are inside, eq 14 */
+    double surface_beta; /* beta of a surface point: 1, less where they are denser */
+    Line (*fit)[FIT];    /* [nodes] */
+    Line *skin;          /* [nodes] sums over surface points */
+    double *most;        /* [nodes] largest W of any particle */
+    double *distance;    /* [nodes] [cells] from the surface, > 0 inside */
+    unsigned char *good; /* [nodes] 1: alpha of eqs 19-21 */
+    long *fallbacks;     /* [rows] of this step */
+} Wls;
+
+static inline Wls *wls_of(const Sim *sim)
+{
+    return sim->own;
+}
+
+/* Moments, loads, largest weights and surface sums of all live nodes, symmetry included. */
+void wls_deposit(Sim *sim, double t, bool force);
+
+/* Coefficients of one node's functions in place of its loads. Returns false if it fell back to c0:
+ * no particle within the trigger weight, or moments that do not determine a plane. */
+bool wls_solve(Line fit[FIT], bool near);
+
+/* Surface point p of a chunk to the surface sums of its 2^DIM nodes. */
+void wls_skin_point(Sim *sim, const Chunk *c, int p);
+
+/* Signed distances of the live nodes of one row. */
+void wls_distances(Sim *sim, int row, double t);
+
+/* Mass, body force and internal force of all cells, onto the nodes of the grid. */
+void wls_integrate(Sim *sim);
+
+/* Is the cell above node index i of the axis beyond a symmetry line? */
+bool wls_mirrored_cell(const Grid *g, int axis, int i);
+
+/* Points and weights (fractions of a cell) that integrate over the part of a cell where the
+ * distance, given at its corners (bit d of the number: far side of axis d), is positive. Returns
+ * their number. */
+enum { MAX_POINTS = 18 };
+int wls_cell_points(const double distance[CORNERS], bool exact, double xi[MAX_POINTS][DIM],
+                    double weight[MAX_POINTS]);
+
+/* Velocities, spurious and massless nodes of one row, after symmetry. */
+void wls_repair_row(Sim *sim, int row);
+
+/* Stages of Method (method.h), shared by all settings. */
+bool wls_make(Sim *sim);
+void wls_free(Sim *sim);
+void wls_adapt(const double par[], Method *own);
+void wls_assemble(Sim *sim, double t, bool force);
+void wls_repair(Sim *sim);
+void wls_patches(const Sim *sim, PatchVisit *visit, void *own);
+
+#endif

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# repeat.sh FOLDER: two clean builds in folders of their own make byte-equal tables, timings apart; and so do
+# runs by 1 to 4 threads. Prints the counts; status 1 if anything differs. Minutes.
+set -u
+mkdir -p "$1"
+work=$(mktemp -d "$(realpath "$1")/repeat.XXXXXX")
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
+differ=0
+# comparable CSV: without its timing columns, if it has them (they come last)
+comparable() {
+    if head -n 1 "$1" | grep -q ',cpu_s,wall_s,ns_per_particle_step$'; then
+        sed 's/\(,[^,]*\)\{3\}$//' "$1"
+    else
+        cat "$1"
+    fi
+}
+for k in 1 2; do
+    make -s -j "$(nproc)" BUILD="$work/build$k" all || exit 1
+    "$work/build$k/mpmlab" study all --quick --jobs $k --out "$work/$k" || exit 1
+done
+tables=0
+for file in "$work"/1/quick/*.csv; do
+    tables=$((tables + 1))
+    cmp -s <(comparable "$file") <(comparable "${file/$work\/1/$work\/2}") && continue
+    differ=$((differ + 1))
+    echo "differs: $(basename "$file")"
+done
+names() { (cd "$1" && find . -name '*.csv' | sort); }
+cmp -s <(names "$work/1") <(names "$work/2") || { differ=$((differ + 1)); echo "not the same tables"; }
+echo "two clean builds: $tables tables, $differ differ"
+
+# run THREADS PROBLEM METHOD: row without timings, and the particles' checksum
+run() {
+    OMP_WAIT_POLICY=passive "$program" run "$2" --method "$3" --threads "$1" --set steps=40 \
+        --particles "$work/particles.csv" 2>/dev/null | tail -n 1 | cut -d, -f 1-17,21-
+    [ ! -e "$work/particles.csv" ] || cksum <"$work/particles.csv"
+    rm -f "$work/particles.csv"
+}
+program=$work/build1/mpmlab
+cases=0
+for problem in $("$program" list problems | cut -f 2); do
+    for method in $("$program" list methods | cut -f 2); do
+        "$program" run "$problem" --method "$method" --set steps=1 >/dev/null 2>&1 || continue
+        cases=$((cases + 1))
+        one=$(run 1 "$problem" "$method")
+        for threads in 2 3 4; do
+            [ "$one" = "$(run $threads "$problem" "$method")" ] && continue
+            differ=$((differ + 1))
+            echo "differs by $threads threads: $problem $method"
+        done
+    done
+done
+echo "1 to 4 threads: $cases pairs of problem and method"
+[ $differ -eq 0 ]
