@@ -31,7 +31,8 @@ HEADERS    = $(wildcard */*.h) $(wildcard */*.def)
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 
-.PHONY: all deps deps-extra test figures bench san lint mutants faults install uninstall builds repeat memcheck coverage fuzz fuzzers clean force
+.PHONY: all deps deps-extra test figures bench rank san lint mutants faults install uninstall builds repeat memcheck \
+  coverage fuzz fuzzers clean force
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -122,6 +123,8 @@ test:
 	$(WRONG_TEST)
 	$(FAULT_TEST)
 	bash tests/install.sh $(BUILD) $(BUILD)/tests
+	bash tests/cluster.sh $(BUILD)/mpmlab $(BUILD)/tests
+	bash tests/page.sh $(BUILD)/mpmlab $(BUILD)/tests
 	@for t in $(UNIT_TESTS); do (cd $(BUILD)/tests && OMP_WAIT_POLICY=passive $(CURDIR)/$$t) || exit 1; done
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
@@ -136,6 +139,10 @@ $(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,bench twin twin_make) \
 # Twenty-odd seeded faults in the mathematics: the tests must see each.
 mutants:
 	JOBS=$(JOBS) bash tests/mutants.sh $(BUILD)/mutants
+
+# Does a second run of the speed-against-error study rank the methods as the first did?
+rank: all
+	bash tests/rank.sh $(BUILD)/mpmlab $(BUILD)/tests
 
 lint:
 	BUILD=$(BUILD)/lint bash tests/lint.sh
@@ -181,7 +188,7 @@ WORDS   = $(INSTALL)/share/bash-completion/completions
 install: all
 	install -D -m 755 $(BUILD)/mpmlab "$(INSTALL)/bin/mpmlab"
 	install -d "$(SHARED)/plots" "$(MANUALS)" "$(WORDS)"
-	install -m 644 plots/*.gp "$(SHARED)/plots"
+	install -m 644 plots/*.gp plots/page.html "$(SHARED)/plots"
 	$(BUILD)/mpmlab --man > "$(MANUALS)/mpmlab.1"
 	$(BUILD)/mpmlab --completion > "$(WORDS)/mpmlab"
 
@@ -194,8 +201,8 @@ deps:
 	  libcunit1-dev gnuplot-nox fonts-dejavu-core
 
 deps-extra:
-	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind shellcheck \
-	  libclang-rt-14-dev libomp-14-dev python3-vtk9 python3-numpy
+	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind shellcheck libclang-rt-14-dev \
+	  libomp-14-dev python3-vtk9 python3-numpy chromium chromium-driver curl parallel slurm-wlm munge
 
 clean:
 	rm -rf $(BUILD)

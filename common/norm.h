@@ -20,7 +20,7 @@ typedef struct Scratch {
 bool scratch_fit(Scratch *s, int n); /* false: out of memory */
 void scratch_free(Scratch *s);
 
-/* e = |x - X - u_exact(X, t)|, W11 eq 38. */
+/* e = |x - X - u_exact(X, t)|, W11 eq 38; leaves each point's e over the scale in s->w. */
 Errors displacement_errors(const Scene *scene, const Points *p, double t, Scratch *s);
 
 /* e = |v_i - v(x_i)| / |v(x_i)| over nodes with mass inside the body, equal weights, W07 eq 3.1. */

@@ -3,6 +3,7 @@
 #define MPMLAB_OUTPUT_H
 
 #include <stdio.h>
+#include "norm.h"
 #include "run.h"
 
 /* One instant of a run. */
@@ -24,6 +25,9 @@ int write_particles(const char *path, const Scene *scene, const Solver *solver, 
  * their corners, mass their own), else particles. */
 int write_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
                   Fault *fault);
+/* What the norms of that instant are made of, in placement order: id,X,Y,error,weight. */
+int write_errors(const char *path, const Scene *scene, const Points *p, double t, Scratch *s,
+                 Fault *fault);
 
 /* Live nodes with their velocities: id,x,y,mass,vx,vy. */
 int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault);

@@ -7,7 +7,7 @@
 #include "step.h"
 
 /* Settings that every run takes, besides those of its problem and method. */
-enum { P_STEPS, P_ALLOW, P_REFRESH, P_LAYOUT, P_PARTICLES, P_DIM, P_STOP, RUN_PARAMS };
+enum { P_STEPS, P_ALLOW, P_REFRESH, P_LAYOUT, P_PARTICLES, P_DIM, P_STOP, P_REPEAT, RUN_PARAMS };
 
 static const Param run_params[] = {
     [P_STEPS] = {"steps", 0, 0, 1e9, "", "stop after so many steps; 0: at t_end", "", NULL},
@@ -23,6 +23,10 @@ static const Param run_params[] = {
                      NULL},
     [P_DIM] = {"dim", DIM, 1, 3, "", "dimension of a scene that has several", "", NULL},
     [P_STOP] = {"stop_growth", 0, 0, 1, "", "1: energy growth ends the run", "", "0|1"},
+    [P_REPEAT] = {"repeat", 1, 1, 1e6, "",
+                  "number of a repetition: changes nothing but the row's key, so that a run can be "
+                  "timed again",
+                  "", NULL},
     [RUN_PARAMS] = {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 const Param *const common_params = run_params;
@@ -256,10 +260,14 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
         if (unknown_setting(plan, spec->set[k].name, fault)) return FAULT_USAGE;
     if (!(spec->cells > 0)) spec->cells = plan->scene.problem->cells;
     if (read_params(spec, run_params, run, fault) || whole("steps", run[P_STEPS], fault) ||
-        whole("particles", run[P_PARTICLES], fault) ||
+        whole("particles", run[P_PARTICLES], fault) || whole("repeat", run[P_REPEAT], fault) ||
         read_params(spec, plan->method->params, plan->method_par, fault) ||
         make_scene(spec, plan, fault) || choose_integrator(spec, plan, run, fault))
         return FAULT_USAGE;
+    if (spec->errors && (!plan->scene.problem->exact || plan->scene.problem->projection))
+        return fault_set(fault, FAULT_USAGE,
+                         "--errors: got '%s', takes a scene in motion with an exact solution",
+                         spec->errors);
     s->scene = &plan->scene;
     s->method_par = plan->method_par;
     s->cells = (int)spec->cells;

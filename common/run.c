@@ -196,6 +196,15 @@ static int project(Loop *l, Fault *fault)
     return 0;
 }
 
+static int write_errors_now(const char *path, Loop *l, Fault *fault)
+{
+    Points p;
+    Samples q;
+    const double t = (double)l->done * l->dt;
+    l->plan->solver->view(l->self, &p, &q);
+    return write_errors(path, &l->plan->scene, &p, t, &l->scratch, fault);
+}
+
 /* The files of the run's end; nodes hold the velocities of the last projection. */
 static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
 {
@@ -205,6 +214,7 @@ static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
         code = write_particles(spec->particles, &l->plan->scene, solver, l->self, fault);
     if (!code && spec->samples)
         code = write_samples(spec->samples, &l->plan->scene, solver, l->self, fault);
+    if (!code && spec->errors) code = write_errors_now(spec->errors, l, fault);
     if (!code && spec->nodes) code = write_nodes(spec->nodes, solver, l->self, fault);
     return code;
 }

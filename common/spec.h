@@ -23,6 +23,7 @@ typedef struct RunSpec {
     Setting set[SPEC_SETS];                  /*   problem, method and run parameters */
     const char *history, *particles, *nodes; /* output files of this run, or NULL; not owned */
     const char *samples;                     /* what carries strain: elements, or particles */
+    const char *errors;                      /* every point's error at the end, or NULL */
     const char *vtk;                         /* folder for snapshots, or NULL */
     int every;                               /* steps between snapshots */
 } RunSpec;

@@ -13,11 +13,12 @@ static int line_points(const double d[2], bool exact, double x[][2], double weig
     const double cut = d[0] / (d[0] - d[1]);
     const double from = d[0] > 0 ? 0 : cut, to = d[1] > 0 ? 1 : cut;
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from) / sqrt(3);
-    for (int q = 0; q <= exact; q++) {
+    const int n = exact ? 2 : 1;
+    for (int q = 0; q < n; q++) {
         x[q][0] = middle + (exact ? (2 * q - 1) * half : 0);
-        weight[q] = (to - from) / (1 + exact);
+        weight[q] = (to - from) / n;
     }
-    return 1 + exact;
+    return n;
 }
 
 static int square_points(const double d[4], bool exact, double x[][2], double weight[])

@@ -52,21 +52,22 @@ static Around look_around(const Sim *sim, const int index[DIM])
 }
 
 /* f_i = m_i sum f_j / sum m_j; as printed, the mean of the f_j, it blows up at once. */
-static void average_force(const Wls *w, double *node, const Around *n)
+static void average_force(const Wls *w, Line *node, const Around *n)
 {
     for (int a = 0; a < DIM; a++)
-        node[FLUX + a] = w->literal ? n->inner[a] / n->massive : node[0] * n->inner[a] / n->mass;
+        (*node)[FLUX + a] =
+            w->literal ? n->inner[a] / n->massive : (*node)[0] * n->inner[a] / n->mass;
 }
 
 /* A token of mass, so that the node moves with a = sum f / sum m of its neighbours. */
-static void move_along(Sim *sim, size_t at, double *node, const Around *n)
+static void move_along(Sim *sim, size_t at, Line *node, const Around *n)
 {
     Grid *g = &sim->g;
     const double token = 1e3 * sim->mass_cut;
-    node[0] = token;
-    for (int s = 1 + DIM; s < FLUX; s++) node[s] = token;
+    (*node)[0] = token;
+    for (int s = 1 + DIM; s < FLUX; s++) (*node)[s] = token;
     for (int a = 0; a < DIM; a++) {
-        node[FLUX + a] = token * (n->inner[a] + n->outer[a]) / n->mass;
+        (*node)[FLUX + a] = token * (n->inner[a] + n->outer[a]) / n->mass;
         if (g->force) g->force[at * DIM + (size_t)a] = 0;
     }
 }
@@ -74,8 +75,8 @@ static void move_along(Sim *sim, size_t at, double *node, const Around *n)
 static void repair_node(Sim *sim, size_t at, const int index[DIM], long *fallbacks)
 {
     const Wls *w = wls_of(sim);
-    double *node = (double *)&sim->g.node[at];
-    const bool light = !(node[0] > sim->mass_cut), used = w->fit[at][FIT_MOMENTS][M_ONE] > 0;
+    Line *node = &sim->g.node[at];
+    const bool light = !((*node)[0] > sim->mass_cut), used = w->fit[at][FIT_MOMENTS][M_ONE] > 0;
     double v[DIM];
     for (int a = 0; a < DIM; a++) v[a] = w->fit[at][FIT_VALUE][Q_V + a];
     if ((light && used) || !w->good[at]) {
@@ -86,7 +87,7 @@ static void repair_node(Sim *sim, size_t at, const int index[DIM], long *fallbac
         if (!light && n.massive > 0) average_force(w, node, &n);
         *fallbacks += used && !(n.massive > 0);
     }
-    for (int a = 0; a < DIM; a++) node[1 + a] = node[0] * v[a];
+    for (int a = 0; a < DIM; a++) (*node)[1 + a] = (*node)[0] * v[a];
 }
 
 void wls_repair_row(Sim *sim, int row)

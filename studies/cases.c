@@ -83,6 +83,8 @@ static void set_outputs(Cases *cases)
             c->spec.nodes = c->file;
         else if (strcmp(c->kind, "samples") == 0)
             c->spec.samples = c->file;
+        else if (strcmp(c->kind, "errors") == 0)
+            c->spec.errors = c->file;
         else
             fault_set(&cases->fault, FAULT_USAGE, "case file of unknown kind '%s'", c->kind);
     }

@@ -24,7 +24,7 @@ static const char default_out[] = "build/out";
 
 static const Option study_options[] = {
     {"quick", NULL, "fewer and smaller cases, into OUT/quick; no verdicts"},
-    {"jobs", "N", "cases at once, each in a process (default 1)"},
+    {"jobs", "N", "cases at once, each in a process (default 1; timed studies: always 1)"},
     {"out", "DIR", "where results go (default build/out)"},
     {"method", "M,M", "only the cases of these methods; no verdicts"},
     {"list", NULL, "only print the missing cases, one command a line"},

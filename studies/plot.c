@@ -20,8 +20,7 @@ static const struct {
 } formats[] = {{"svg", ".gp", 1}, {"png", ".gp", 1}, {"gif", ".gif.gp", 0}};
 enum { FORMATS = 3 };
 
-/* The folder of the scripts: beside the program's build folder, or installed. NULL if absent. */
-static char *plots_folder(void)
+char *plots_folder(void)
 {
     static const char *const places[] = {"../plots", "../../plots", "../share/mpmlab/plots"};
     char self[PATH_MAX], found[PATH_MAX];
@@ -81,10 +80,15 @@ static int draw(const char *set, const char *script, FILE *f, const char *whole,
     return code;
 }
 
+static const char *script_name(const Study *study)
+{
+    return study->script ? study->script : study->name;
+}
+
 static int draw_format(const Study *study, const char *dir, const char *plots, int k, Fault *fault)
 {
     const char *format = formats[k].name;
-    char *script = text_of("%s/%s%s", plots, study->name, formats[k].script);
+    char *script = text_of("%s/%s%s", plots, script_name(study), formats[k].script);
     char *csv = text_of("%s/%s.csv", dir, study->name);
     char *whole = text_of("%s/%s.%s", dir, study->name, format);
     FILE *f = file_begin(whole, fault);
@@ -139,7 +143,7 @@ static double newest_input(const char *dir, const char *name)
 /* Must this format be drawn? */
 static bool is_due(const Study *study, const char *dir, const char *plots, int k)
 {
-    const double script = age(plots, study->name, formats[k].script);
+    const double script = age(plots, script_name(study), formats[k].script);
     const double inputs =
         fmax(fmax(script, age(plots, "style", ".gp")), newest_input(dir, study->name));
     char *ending = text_of(".%s", formats[k].name);
@@ -152,7 +156,7 @@ int plot_study(const Study *study, const char *dir, Fault *fault)
 {
     char *plots = plots_folder(), folder[PATH_MAX];
     int code = 0;
-    if (plots && age(plots, study->name, ".gp") > 0 && realpath(dir, folder))
+    if (plots && age(plots, script_name(study), ".gp") > 0 && realpath(dir, folder))
         for (int k = 0; k < FORMATS && code == 0; k++)
             if (is_due(study, folder, plots, k)) code = draw_format(study, folder, plots, k, fault);
     free(plots);

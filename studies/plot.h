@@ -7,6 +7,10 @@
 
 enum { PLOT_NO_GNUPLOT = GNUPLOT_ABSENT };
 
+/* The folder of scripts and page.html: beside the program's build folder, or installed; owned by
+ * the caller. NULL if absent. */
+char *plots_folder(void);
+
 /* Draws dir/NAME.svg and .png with plots/NAME.gp if they are older than what they are made from.
  * 0 (also if the study has no script), PLOT_NO_GNUPLOT, 130: a signal asked
  * to stop; or a fault: the script failed. */

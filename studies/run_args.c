@@ -18,6 +18,7 @@ const Option run_options[] = {
     {"particles", "FILE", "write the particles at the end"},
     {"nodes", "FILE", "write the grid nodes at the end"},
     {"samples", "FILE", "write what carries strain at the end: elements of fem, else particles"},
+    {"errors", "FILE", "write every point's error at the end"},
     {"vtk", "DIR", "write snapshots into DIR"},
     {"every", "K", "steps between snapshots (default: first and last only)"},
     {"quiet", NULL, "no messages"},
@@ -43,9 +44,13 @@ static const struct File {
     const char *option;
     size_t at;
 } files[] = {
-    {"history", offsetof(RunArgs, spec.history)}, {"particles", offsetof(RunArgs, spec.particles)},
-    {"nodes", offsetof(RunArgs, spec.nodes)},     {"samples", offsetof(RunArgs, spec.samples)},
-    {"vtk", offsetof(RunArgs, spec.vtk)},         {"csv", offsetof(RunArgs, csv)},
+    {"history", offsetof(RunArgs, spec.history)},
+    {"particles", offsetof(RunArgs, spec.particles)},
+    {"nodes", offsetof(RunArgs, spec.nodes)},
+    {"samples", offsetof(RunArgs, spec.samples)},
+    {"errors", offsetof(RunArgs, spec.errors)},
+    {"vtk", offsetof(RunArgs, spec.vtk)},
+    {"csv", offsetof(RunArgs, csv)},
 };
 
 enum { MOST_NAMES = 64 };

@@ -39,7 +39,8 @@ static int run_missing(const Study *study, const StudyOptions *o, const Cases *c
                        Journal *journal, const char *path, Fault *fault)
 {
     int n, *missing = cases_missing(cases, journal, &n);
-    int code = pool_run(cases, missing, n, o->jobs, journal, path, study->name, fault);
+    int code =
+        pool_run(cases, missing, n, study->timed ? 1 : o->jobs, journal, path, study->name, fault);
     free(missing);
     return code ? code : journal_reload(journal, path, fault);
 }
@@ -76,6 +77,8 @@ static int finish(const Study *study, const StudyOptions *o, const Cases *cases,
 static int run_locked(const Study *study, const StudyOptions *o, const Cases *cases,
                       Journal *journal, const char *path, Fault *fault)
 {
+    if (o->action == STUDY_LIST && study->timed)
+        fprintf(stderr, "mpmlab: %s measures time: run these one after the other\n", study->name);
     if (o->action == STUDY_LIST) return collect_list(study, cases, journal, o->dir, fault);
     if (o->action == STUDY_COLLECT) {
         int code = collect_merge(study, cases, journal, path, o->dir, fault);

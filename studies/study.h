@@ -19,13 +19,15 @@ typedef struct Study {
     /* Tables that are not rows of runs (shape functions, drawings), written into dir; or NULL. */
     int (*tables)(const char *dir, bool quick, Fault *fault);
     void (*check)(Check *check, const Table *rows, const char *dir); /* or NULL: nothing claimed */
+    bool timed;         /* it measures time: its cases run one by one, whatever --jobs says */
+    const char *script; /* plots/SCRIPT.gp, if that is not NAME */
 } Study;
 
 /* Adds one run, given as the command line would: case_add(cases, "run bar --ppc %d", n). */
 void case_add(Cases *cases, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* The same with a file that the run must leave beside the table: kind is "history", "particles",
- * "samples" or "nodes", file a name within the study's folder. */
+ * "samples", "errors" or "nodes", file a name within the study's folder. */
 void case_add_with(Cases *cases, const char *kind, const char *file, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 

@@ -77,6 +77,24 @@ refused "list of a wrong kind" 2 "did you mean 'methods'" list method
 refused "describe nothing known" 2 "did you mean 'gimp'" describe gimpp
 refused "claims takes no names" 2 "options only" claims all
 
+# Sweeps: lists that are none
+for list in 8:128 8:128:2 '8:128:*1' '8:128:*0.5' '8:128:+0' '128:8:*2' '0:8:*2' '8:x:*2' ':8:*2' '8:16:*2:3' '1:1e6:+1' \
+    8,,16 , ''; do
+    refused "--cells $list" 2 "--cells" sweep squeeze "--cells=$list"
+done
+refused "sweep of nothing" 2 "PROBLEM" sweep
+refused "sweep of an unknown problem" 2 "did you mean 'squeeze'" sweep squeze
+refused "sweep of two problems" 2 "one problem only" sweep squeeze bar
+refused "sweep of an unknown option" 2 "did you mean '--cells'" sweep squeeze --cels 3
+refused "sweep of an unknown method" 2 "did you mean 'gimp'" sweep squeeze --method mpm,gmp
+refused "sweep of an unknown setting" 2 "field" sweep squeeze --set feild=linear,quadratic
+refused "sweep of a setting without name" 2 "NAME=LIST" sweep squeeze --set =3
+refused "sweep of a wrong word" 2 "linear" sweep squeeze --set field=linear,liner
+refused "sweep of one option twice" 2 "one list" sweep squeeze --cells 3 --cells 4
+refused "sweep of values with spaces" 2 "without spaces" sweep squeeze --set 'field=linear --cells 4'
+refused "sweep too large" 2 "at most 100000" sweep squeeze --cells '1:1000:+1' --ppc '1:1000:+1'
+refused "sweep, list and collect" 2 "both" sweep squeeze --list --collect
+
 # What there is
 run list
 ok "list has four columns" awk -F'\t' 'NF != 4 { exit 1 }' out
@@ -89,7 +107,7 @@ for name in squeeze gimp $study; do
     run describe $name
     ok "describe $name" test "$status" -eq 0 -a -s out -a ! -s err
 done
-for command in "" list describe run study claims; do
+for command in "" list describe run study sweep claims; do
     run $command --help
     ok "$command --help" test "$status" -eq 0 -a -s out -a ! -s err
 done
@@ -202,6 +220,31 @@ ok "commands run as they are" bash -c 'bash ./three >/dev/null'
 run study $study --out f --collect
 ok "collect" cmp -s <(untimed a/$study.csv) <(untimed f/$study.csv)
 ok "collect ran only the rest" test "$(lines f/$study.rows)" -eq "$all"
+
+# Sweeps
+run sweep squeeze --method gimp,ge_gimp --cells '10:80:*2' --set field=linear,quadratic --ppc 1.3 --out s --jobs 2
+ok "sweep: $(cat err)" test "$status" -eq 0 -a "$(lines out)" -eq 5
+ok "sweep: a row a combination" test "$(lines s/sweep_squeeze.csv)" -eq 17
+ok "sweep: orders" awk -F, '$2 == "ge_gimp; quadratic" && $7 > 1.9 && $7 < 2.1 { n++ } END { exit n != 1 }' out
+if command -v gnuplot >/dev/null; then ok "sweep: figure" test -s s/sweep_squeeze.svg -a -s s/sweep_squeeze.png; fi
+run sweep squeeze --method gimp,ge_gimp --cells 10,20,40,80,160 --set field=linear,quadratic --ppc 1.3 --out s
+ok "sweep: a longer one runs the rest" test "$(lines s/sweep_squeeze.rows)" -eq 20
+run sweep squeeze --cells 10,20 --ppc '1:2:+.5' --out s --list
+ok "sweep: list" test "$(lines out)" -eq 6
+bash out >/dev/null
+run sweep squeeze --cells 10,20 --ppc '1:2:+.5' --out s --collect
+ok "sweep: collect" test "$status" -eq 0 -a "$(lines s/sweep_squeeze.csv)" -eq 7
+run sweep bar --cells 8,16 --ppc 2 --t-end .001 --out s
+ok "sweep: of numbers" test "$status" -eq 0 -a "$(lines out)" -eq 2
+run sweep free_block --cells 8,16 --set dim=1 --out s
+ok "sweep: without exact solution" grep -q energy_drift out
+run run squeeze --set repeat=2
+ok "repeat is part of the key only" grep -q 'repeat=2' out
+run run sine_bar --cells 10 --errors e.csv
+ok "--errors" awk -F, 'NR > 1 && $4 > m { m = $4 } END { exit !(NR == 21 && m > 0) }' e.csv
+refused "--errors without an exact motion" 2 "exact" run squeeze --errors e.csv
+run study t_02_work_precision --quick --out t --list
+ok "a timed study says so" grep -q 'one after the other' err
 
 # Paths and machines that are not as they should be
 run study $study --quick --out "a folder's \$HOME; x"

@@ -44,6 +44,8 @@ void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator 
     Plan *plan = &r->plan;
     plan->scene.par = plan->problem_par;
     CU_ASSERT_FATAL(problem->init(&plan->scene, why) == 0);
+    const Param *own = method->info.params;
+    for (int k = 0; own && own[k].name; k++) plan->method_par[k] = own[k].value;
     plan->setup = (Setup){.scene = &plan->scene,
                           .method = method,
                           .method_par = plan->method_par,

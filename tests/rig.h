@@ -55,11 +55,7 @@ double rig_size(const double *a, int count, int field, int components);
 double rig_distance(const double *a, const double *b, int count, bool L);
 
 /* All pairs that the tests run: NULL-terminated methods[] times INTEGRATORS. */
-/* Methods whose nodes are sums over particles: those that integrate over cells (WLS) keep other
- * promises, which test_wls*.c holds them to. */
-#define FOR_METHODS(m)                                                                             \
-    for (const Method *const *m = methods; *m; m++)                                                \
-        if (!(*m)->assemble)
+#define FOR_METHODS(m)     for (const Method *const *m = methods; *m; m++)
 #define FOR_INTEGRATORS(i) for (Integrator i = CD; i < INTEGRATORS; i++)
 
 /* Is this pair stable without being told so? With refresh: with refresh=1. */

@@ -1,0 +1,39 @@
+# WLS on the ring, one reading changed at a time: from the published method on, and from the cured one back.
+load plots.'/style.gp'
+load dir.'/'.name.'.var'
+set multiplot layout 1,2 margins 0.09,0.985,0.36,0.92 spacing 0.08
+set logscale xy
+set format y '10^{%T}'
+set yrange [5e-6:3e-2]
+set xrange [7:300]
+set xtics (8, 16, 32, 64, 128, 256)
+set xlabel 'cells over the outer radius, N'
+set ylabel 'largest error of all particles and steps [m]'
+has(s) = strstrt(strcol('params'), s) > 0
+# how many settings differ from those of the method
+off(d, q, s, t, r) = !has('distance='.d) + !has('quadrature='.q) + !has('spurious_velocity='.s) + !has('trigger='.t) \
+                     + !has('return='.r) + !has('stress=linear') + !has('average=weighted')
+from_wls(x) = strcol('method') eq 'wls' ? off('weighted_mean', 'centroid', 'constant', '0.12', 'linear') : -1
+from_wls2(x) = strcol('method') eq 'wls2' ? off('normals', 'exact', 'extrapolate', '0.25', 'linear') : -1
+one(count, s) = count == 1 && has(s) ? column('cells') : NaN
+
+set label 1 heading('(a) WLS as published, one change at a time') at graph 0, graph 1.05
+set key at screen 0.09, screen 0.24 left top maxrows 7 samplen 2.2 width 1
+plot csv using (from_wls(0) == 0 ? column('cells') : NaN):'error_linf' with linespoints ls style('wls') lw 2.2 title label('wls'), \
+     csv using (one(from_wls(0), 'distance=normals')):'error_linf' with linespoints ls 1 title 'distance by normals', \
+     csv using (one(from_wls(0), 'quadrature=exact')):'error_linf' with linespoints ls 2 title 'exact cut cells', \
+     csv using (one(from_wls(0), 'trigger=0.25')):'error_linf' with linespoints ls 3 title 'trigger weight 0.25', \
+     csv using (one(from_wls(0), 'spurious_velocity=extrapolate')):'error_linf' with linespoints ls 4 title 'extrapolated velocities', \
+     csv using (one(from_wls(0), 'stress=c0')):'error_linf' with linespoints ls 9 title 'no slopes', \
+     0.5 / x**2 with lines ls 20 title 'N^{ −2}'
+
+set label 1 heading('(b) WLS2, one cure taken back')
+unset ylabel
+set format y ''
+set key at screen 0.56, screen 0.24 left top maxrows 7
+plot csv using (from_wls2(0) == 0 ? column('cells') : NaN):'error_linf' with linespoints ls style('wls2') lw 2.2 title label('wls2'), \
+     csv using (one(from_wls2(0), 'distance=weighted_mean')):'error_linf' with linespoints ls 1 title 'distance to the mean', \
+     csv using (one(from_wls2(0), 'quadrature=centroid')):'error_linf' with linespoints ls 2 title 'one point in cut cells', \
+     csv using (one(from_wls2(0), 'return=spline')):'error_linf' with linespoints ls 8 dt 2 title 'return by spline', \
+     0.5 / x**2 with lines ls 20 title 'N^{ −2}'
+unset multiplot

@@ -1,0 +1,45 @@
+# Error against what it costs: four problems; CPU time on the left, particle-steps on the right.
+tall = 2.3
+load plots.'/style.gp'
+points_ = dir.'/'.name.'.points.csv'
+set multiplot layout 4,2 margins 0.1,0.985,0.125,0.965 spacing 0.09,0.045
+set logscale xy
+set format x '10^{%T}'
+set format y '10^{%T}'
+set datafile missing NaN # rows of others are passed over, not gaps
+set key off
+is(p, m) = strcol('problem') eq p && strcol('method') eq m && \
+           (strcol('status') eq 'ok' || strcol('status') eq 'energy_growth')
+of(p, m, x) = is(p, m) ? column(x) : NaN
+front(p, m, x, which) = is(p, m) && column(which) == 1 ? column(x) : NaN
+every(p, x, which) = strcol('problem') eq p && column(which) == 1 ? column(x) : NaN
+count = 0
+note(m) = m eq 'method' || strstrt(seen, ' '.m.' ') ? 0 : (seen = seen.m.' ', count = count + 1, 0)
+seen = ' '
+stats points_ using (note(strcol('method'))) nooutput
+PROBLEMS = 'ring plate_vibration sine_bar squeeze'
+array TITLE[4] = ['Ring: largest error [m]', 'Plate, A = 0.4 mm: largest error / A', \
+                  'Sine bar, exact law: largest error / A', 'Squeeze, quadratic field: relative error of one projection']
+do for [k = 1:4] {
+    p = word(PROBLEMS, k)
+    set yrange [*:(k == 4 ? 0.03 : 1)]
+    set label 1 heading(TITLE[k]) at graph 0, graph 1.05
+    do for [c = 1:2] {
+        cost = c == 1 ? 'cpu_s' : 'work'
+        own = c == 1 ? 'front_own' : 'front_own_work'
+        all_ = c == 1 ? 'front' : 'front_work'
+        if (c == 2) { unset label 1 }
+        set label 2 (c == 1 ? 'CPU time of the step loop [s]' : k == 4 ? 'particles of one projection' : \
+            'particle-steps (FEM: element-steps)') at graph 0.98, graph 0.94 right font sprintf(',%d', fmt eq 'png' ? 16 : 11)
+        if (k == 4 && c == 1) {
+            set key at screen 0.1, screen 0.095 left top maxrows 4 samplen 2.2 width 1
+        } else { set key off }
+        plot points_ using (every(p, cost, all_)):'error' smooth unique with steps lw 7 lc rgb '#e2e2d6' notitle, \
+             for [m in seen] points_ using (c == 1 ? of(p, m, cost) : NaN):'error' with points ls style(m) ps 0.35 notitle, \
+             for [m in seen] points_ using (front(p, m, cost, own)):'error' smooth unique \
+                 with linespoints ls style(m) notitle, \
+             keyentry with lines lw 7 lc rgb '#e2e2d6' title 'Pareto front of all', \
+             for [m in seen] keyentry with linespoints ls style(m) title label(m)
+    }
+}
+unset multiplot
