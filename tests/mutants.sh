@@ -22,7 +22,7 @@ mkdir -p "$tree"
 for room in common methods problems fem_ref studies tests; do
     mkdir -p "$tree/$room"
     for file in "$root/$room"/*; do # only what changed, so that a second run builds little
-        cmp -s "$file" "$tree/$room/${file##*/}" || cp "$file" "$tree/$room/"
+        [ -f "$file" ] && ! cmp -s "$file" "$tree/$room/${file##*/}" && cp "$file" "$tree/$room/"
     done
 done
 cp "$root/Makefile" "$tree/"
