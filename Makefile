@@ -31,7 +31,7 @@ HEADERS    = $(wildcard */*.h) $(wildcard */*.def)
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 
-.PHONY: all deps deps-extra test figures bench rank san lint faults install uninstall builds repeat memcheck \
+.PHONY: all deps deps-extra test figures bench rank san lint mutants faults install uninstall builds repeat memcheck \
   coverage fuzz fuzzers clean force
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -85,7 +85,7 @@ FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/%.o,fuzz_run fuzz_files fuzz_tools)
 CORE_DIMS   = 1 2 3
 CORE_3      = main_3d rig twin twin_make $(patsubst %,test_%,twin shapes material exact)
 CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
-              $(patsubst %,test_%,invariants order dynamics spots rules status)
+              $(patsubst %,test_%,invariants order dynamics spots rules status methods)
 CORE_2      = $(CORE_1)
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
 WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_axis_mms
@@ -119,6 +119,7 @@ $(BUILD)/tests/fem $(BUILD)/tests/wls $(BUILD)/tests/scenes: $(BUILD)/tests/chec
 test:
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(CLI_TEST)
+	bash tests/example.sh $(BUILD)/example
 	$(WRONG_TEST)
 	$(FAULT_TEST)
 	bash tests/install.sh $(BUILD) $(BUILD)/tests
@@ -134,6 +135,10 @@ bench: all $(BUILD)/tests/bench
 $(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,bench twin twin_make) \
   $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+
+# Twenty-odd seeded faults in the mathematics: the tests must see each.
+mutants:
+	JOBS=$(JOBS) bash tests/mutants.sh $(BUILD)/mutants
 
 # Does a second run of the speed-against-error study rank the methods as the first did?
 rank: all

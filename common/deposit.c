@@ -1,7 +1,8 @@
 /* deposit.c: particles to nodes (passes.h). */
 #include <string.h>
+#include "half_line.h"
+#include "moments.h"
 #include "passes.h"
-#include "scheme.h"
 
 static void clear_row(Grid *g, int row)
 {
@@ -56,29 +57,31 @@ static void chunk_body(const Sim *sim, const Chunk *c, double t, Field body[DIM]
         for (int p = 0; p < CHUNK; p++) body[a][p] *= c->m[p];
 }
 
-/* Mass and m u of a velocity filter's round. */
-static void round_payload(const Chunk *c, Payload *out)
+/* A round of a velocity filter: mass and m w. */
+static void deposit_round(Sim *sim, int k, Work *w)
 {
-    for (int p = 0; p < CHUNK; p++) out->A[0][p] = c->m[p];
-    for (int a = 0; a < DIM; a++)
-        for (int p = 0; p < CHUNK; p++) out->A[1 + a][p] = c->m[p] * c->u[a][p];
-    for (int l = 1 + DIM; l < LANES; l++)
-        for (int p = 0; p < CHUNK; p++) out->A[l][p] = 0;
+    const Chunk c = sim_chunk(sim, k);
+    const int width = make_stencils(sim, &c, w);
+    for (int p = 0; p < CHUNK; p++) {
+        w->A[p][0] = c.m[p];
+        for (int a = 0; a < DIM; a++) w->A[p][1 + a] = c.m[p] * c.w[a][p];
+    }
+    if (width == 3)
+        deposit_half(&sim->g, w, 3);
+    else
+        deposit_half(&sim->g, w, width);
 }
 
 static void deposit_chunk(Sim *sim, int k, double t, Deposit what, Work *w)
 {
     const Method *method = &sim->method;
-    const bool affine = method->affine && what != ROUND;
+    const bool affine = method->affine;
     const Chunk c = sim_chunk(sim, k);
     Grid *g = &sim->g;
     const int width = make_stencils(sim, &c, w);
-    if (what == ROUND)
-        round_payload(&c, &w->payload);
-    else {
-        chunk_stress(sim, &c, what == FORCES, w->T);
-        method->payload(&c, (const Field *)w->T, &w->payload);
-    }
+    chunk_stress(sim, &c, what == FORCES, w->T);
+    method->payload(&c, (const Field *)w->T, &w->payload);
+    if (method->moments) divide_by_spread(sim, w, width);
     pack_payload(sim, w, affine);
     if (width == 2)
         affine ? deposit(g, w, 2, true) : deposit(g, w, 2, false);
@@ -117,7 +120,7 @@ void deposit_all(Sim *sim, double t, Deposit what)
 #pragma omp for schedule(dynamic, 1)
             for (int b = parity; b < sim->nblock; b += 2)
                 for (int k = sim->block[b].first; k < sim->block[b].last; k++)
-                    deposit_chunk(sim, k, t, what, &w);
+                    what == ROUND ? deposit_round(sim, k, &w) : deposit_chunk(sim, k, t, what, &w);
         }
     }
 }

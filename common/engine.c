@@ -69,7 +69,7 @@ static int describe(const char *name, FILE *out)
 /* A chunk of one position; the other 63 see the same. */
 static int weight(const char *name, double x, double l, double *S, double *G)
 {
-    const Axis open_axis = {-INFINITY, INFINITY};
+    const Axis open_axis = {.wall_lo = -INFINITY, .wall_hi = INFINITY};
     Field at, half;
     Stencil s;
     for (int p = 0; p < CHUNK; p++) at[p] = x + MAX_WIDTH, half[p] = l;

@@ -3,67 +3,80 @@
  * Hammerquist & Nairn 2017; Nairn & Hammerquist 2021. Each round is a gather and a deposit more. */
 #include "passes.h"
 
-typedef void VisitNode(Line *node, Line *keep, double c, double dt);
+/* Lanes of what a node puts aside: the sum, v and a as they were, the real particles' mass. */
+enum { K_SUM = 0, K_V = DIM, K_A = 2 * DIM, K_MASS = LANES - 1 };
 
-static void each_node(Sim *sim, VisitNode *visit, double c, double dt)
+typedef void VisitNode(Line *node, Line *keep, double c, double impulse[DIM]);
+
+static void each_node(Sim *sim, VisitNode *visit, double c)
 {
     Grid *g = &sim->g;
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-    for (int row = 0; row < g->rows; row++)
+    for (int row = 0; row < g->rows; row++) {
+        for (int a = 0; a < DIM; a++) g->impulse[row][a] = 0;
         for (int i = g->lo[row]; i < g->hi[row]; i++) {
             const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-            visit(&g->node[at], &g->keep[at], c, dt);
+            visit(&g->node[at], &g->keep[at], c, g->impulse[row]);
         }
-}
-
-/* keep = {sum, a}; the sum starts with c_0 v. */
-static void open_sum(Line *node, Line *keep, double c, double dt)
-{
-    (void)dt;
-    for (int a = 0; a < DIM; a++) {
-        (*keep)[a] = c * (*node)[a];
-        (*keep)[DIM + a] = (*node)[DIM + a];
     }
 }
 
-/* XPIC filters the velocity before its acceleration. */
-static void take_back(Line *node, Line *keep, double c, double dt)
+static void note_mass(Line *node, Line *keep, double c, double impulse[DIM])
 {
-    (void)c, (void)keep;
-    for (int a = 0; a < DIM; a++) (*node)[a] -= dt * (*node)[DIM + a];
+    (void)c, (void)impulse;
+    (*keep)[K_MASS] = (*node)[1 + DIM];
 }
 
-static void add_round(Line *node, Line *keep, double c, double dt)
+/* The rounds run on v - dt a; dt is 0 where the accelerated velocity is filtered. */
+static void open_sum(Line *node, Line *keep, double dt, double impulse[DIM])
 {
-    (void)dt;
-    for (int a = 0; a < DIM; a++) (*keep)[a] += c * (*node)[a];
-}
-
-/* dt 0, or the step if the acceleration comes after the filter. */
-static void close_sum(Line *node, Line *keep, double c, double dt)
-{
-    (void)c;
+    (void)impulse;
     for (int a = 0; a < DIM; a++) {
-        const double v = (*keep)[a] + dt * (*keep)[DIM + a];
-        (*node)[a] = v;
-        (*node)[DIM + a] = (*keep)[DIM + a];
-        for (int b = 0; b < DIM; b++) (*node)[FLUX + b * DIM + a] = v;
+        (*keep)[K_V + a] = (*node)[a];
+        (*keep)[K_A + a] = (*node)[DIM + a];
+        (*node)[a] -= dt * (*node)[DIM + a];
+        (*keep)[K_SUM + a] = 0;
     }
 }
 
-void filter_all(Sim *sim, double dt)
+static void add_round(Line *node, Line *keep, double c, double impulse[DIM])
+{
+    (void)impulse;
+    for (int a = 0; a < DIM; a++) (*keep)[K_SUM + a] += c * (*node)[a];
+}
+
+/* Particle velocities come from the lanes of a; books what walls took on the way. */
+static void close_sum(Line *node, Line *keep, double dt, double impulse[DIM])
+{
+    for (int a = 0; a < DIM; a++) {
+        const double plain = (*keep)[K_V + a], v = (*keep)[K_SUM + a] + dt * (*keep)[K_A + a];
+        impulse[a] += (*keep)[K_MASS] * (v - plain);
+        (*node)[DIM + a] = v;
+        (*node)[a] = dt > 0 ? plain : v;
+        for (int b = 0; b < DIM; b++) (*node)[FLUX + b * DIM + a] = (*node)[a];
+    }
+}
+
+void filter_open(Sim *sim)
+{
+    each_node(sim, note_mass, 0);
+}
+
+void filter_all(Sim *sim, double dt, bool takes_v)
 {
     const Method *method = &sim->method;
-    const double after = method->filter_first ? dt : 0;
+    const double before = method->filter_first ? dt : 0;
     double c[MAX_ROUNDS + 1] = {1};
     const int rounds = method->filter(sim->setup->method_par, c);
-    if (method->filter_first) each_node(sim, take_back, 0, dt);
-    each_node(sim, open_sum, c[0], dt);
+    each_node(sim, open_sum, before);
+    each_node(sim, add_round, c[0]);
     for (int l = 1; l <= rounds; l++) {
         gather_velocity(sim);
         deposit_all(sim, 0, ROUND);
         solve_all(sim, 0, 1, false);
-        each_node(sim, add_round, c[l], dt);
+        each_node(sim, add_round, c[l]);
     }
-    each_node(sim, close_sum, 0, after);
+    each_node(sim, close_sum, before);
+    for (int row = 0; takes_v && row < sim->g.rows; row++)
+        for (int a = 0; a < DIM; a++) sim->impulse[a] += sim->g.impulse[row][a];
 }

@@ -1,6 +1,7 @@
 /* gather.c: nodes to particles, and a look at what became of them (passes.h). */
+#include "half_line.h"
+#include "moments.h"
 #include "passes.h"
-#include "scheme.h"
 
 /* Extremes of one block of particles, kept per lane so that the loops vectorize. */
 typedef struct Extremes {
@@ -46,7 +47,6 @@ static void gather_moments(const Sim *sim, Work *w, int width)
     make_moments(w, width);
     gather_line(&sim->g, w, width, T_R);
     unpack_sums(w, LANES, sim->dx);
-    spread(sim, w, width);
 }
 
 static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Extremes *e)
@@ -61,6 +61,20 @@ static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Ext
     if (take & (TAKE_X | TAKE_F | MOVE_STASH)) inspect_chunk(sim, &c, w, e);
 }
 
+void start_moments(Sim *sim)
+{
+    Work w;
+    for (int k = 0; k < sim->p.n / CHUNK; k++) {
+        const Chunk c = sim_chunk(sim, k);
+        const int width = make_stencils(sim, &c, &w);
+        for (int d = 0; d < DIM; d++) {
+            spread(sim, &w, d, width, w.b[d]);
+            for (int a = 0; a < DIM; a++)
+                for (int p = 0; p < CHUNK; p++) c.L[a * DIM + d][p] *= w.b[d][p];
+        }
+    }
+}
+
 void gather_velocity(Sim *sim)
 {
     const int chunks = sim->p.n / CHUNK;
@@ -70,9 +84,13 @@ void gather_velocity(Sim *sim)
 #pragma omp for schedule(static)
         for (int k = 0; k < chunks; k++) {
             const Chunk c = sim_chunk(sim, k);
-            gather_line(&sim->g, &w, make_stencils(sim, &c, &w), T_G);
+            const int width = make_stencils(sim, &c, &w);
+            if (width == 3)
+                gather_half(&sim->g, &w, 3);
+            else
+                gather_half(&sim->g, &w, width);
             for (int p = 0; p < CHUNK; p++)
-                for (int a = 0; a < DIM; a++) c.u[a][p] = w.A[p][a];
+                for (int a = 0; a < DIM; a++) c.w[a][p] = w.A[p][a];
         }
     }
 }

@@ -36,9 +36,9 @@ enum {
     MOVE_STASH = 32 /* move by what was remembered */
 };
 
-/* 64 particles: pointers into the arrays of sim.h; L and u are NULL where not kept. */
+/* 64 particles: pointers into the arrays of sim.h; L, u and w are NULL where not kept. */
 typedef struct Chunk {
-    double *x[DIM], *v[DIM], *F[NMAT], *L[NMAT], *u[DIM];
+    double *x[DIM], *v[DIM], *F[NMAT], *L[NMAT], *u[DIM], *w[DIM];
     const double *X[DIM], *m, *V0;
     const double *normal[DIM]; /* reference normals of surface points, or NULL */
     const int *id;
@@ -56,12 +56,14 @@ typedef struct Stencil {
 /* What a shape may know of its axis: where walls stand, in cells from node 0 (or +-infinity). */
 typedef struct Axis {
     double wall_lo, wall_hi;
+    bool open_lo, open_hi; /* the wall leaves the motion across it free: the body may cross it */
 } Axis;
 
 /* What a chunk deposits. */
 typedef struct Payload {
     Field A[LANES];
-    Field B[DIM][DIM]; /* [axis d][component a]: m L_ad of the momentum lanes, if affine */
+    Field B[DIM][DIM]; /* [axis d][component a]: m L_ad of the momentum lanes, if affine; with
+                        * `moments` m L_ad D_d, D_d = sum_i S (x_i - x_p)_d^2 [m^2] as it is now */
 } Payload;
 
 struct Sim;
@@ -73,7 +75,9 @@ typedef struct Method {
     int integrator[4];       /* default by dimension, [0] unused */
     bool keeps_L;            /* the particle carries its velocity gradient from step to step */
     bool affine;             /* payload fills B */
-    bool moments;            /* update also reads the moments of v about the particle */
+    bool moments;            /* update also reads, and B holds, moments of v about the particle */
+    bool pic;                /* update replaces v by the grid's (for the walls' momentum) */
+    bool turns;              /* keeps angular momentum, sum m (x x v) + its moments */
     bool linear_exact;       /* projects linear fields exactly from any particle set */
     bool surface;            /* needs surface particles: */
     double surface_per_cell; /* so many along a cell's length; 0: as dense as particles */
@@ -91,13 +95,14 @@ typedef struct Method {
     void (*payload)(const Chunk *c, const Field T[NMAT], Payload *out);
 
     /* Particles from the gathered sums, over dt [s]; `take`: TAKE_*. With `moments` a second line
-     * follows: lane LANES + FLUX + b DIM + a is sum_i S v_a (x_i - x_p)_b [m^2/s], lane LANES + d
-     * is D_d = sum_i S (x_i - x_p)_d^2 [m^2]. */
+     * follows: lane LANES + FLUX + b DIM + a is sum_i S v_a (x_i - x_p)_b [m^2/s]. */
     void (*update)(const Chunk *c, const Field sums[], double dt, unsigned take);
 
     /* Velocity filter, or NULL: coefficients c[0 .. rounds] of sum_l c_l (S+ S)^l v; returns
-     * rounds, at most MAX_ROUNDS. `par`: the method's parameters. filter_first: before the
-     * acceleration. */
+     * rounds, at most MAX_ROUNDS. `par`: the method's parameters. A gather then finds the filtered
+     * velocity in the place of a. filter_first: v before its acceleration is filtered, for particle
+     * velocities alone; else v after it, for all that is gathered, wherever particles are
+     * projected. */
     int (*filter)(const double *par, double c[]);
     bool filter_first;
 

@@ -46,7 +46,8 @@ static void unfold_node(Sim *sim, const Mirror *m, size_t ghost, size_t image, i
     if (ghost == image) return;
     const double mass = g->node[ghost][1 + DIM];
     g->node[ghost] = gather_parity(m->axis) * g->node[image];
-    for (int a = 0; a < DIM; a++) g->impulse[image_row][a] += dt * mass * g->node[ghost][DIM + a];
+    const int given = sim->method.pic ? 0 : DIM; /* v, or a */
+    for (int a = 0; a < DIM; a++) g->impulse[image_row][a] += dt * mass * g->node[ghost][given + a];
     if (g->mass) g->mass[ghost] = 0;
 }
 

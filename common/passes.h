@@ -6,7 +6,7 @@
 
 #include "sim.h"
 
-/* What is deposited: mass and momentum; these and forces at time t; or mass and m u, a round of a
+/* What is deposited: mass and momentum; these and forces at time t; or mass and m w, a round of a
  * velocity filter. */
 typedef enum { MOTION, FORCES, ROUND } Deposit;
 
@@ -18,10 +18,15 @@ void solve_all(Sim *sim, double dt, double scale, bool force);
 /* Takes TAKE_* to the particles. Returns whether one of them may have gone wrong (sim_check). */
 bool gather_all(Sim *sim, double dt, unsigned take);
 
-/* u = S v of every particle, for a filter's round. */
+/* With a method of moments: what a particle keeps starts as L D, not L. */
+void start_moments(Sim *sim);
+
+/* w = S v of every particle, for a filter's round. */
 void gather_velocity(Sim *sim);
 
-/* Replaces the grid velocity by the method's filter of it; filter.c. */
-void filter_all(Sim *sim, double dt);
+/* The method's filter of the grid velocity, after the nodes' equations; filter_open comes between
+ * deposit and equations. takes_v: what walls take meanwhile is booked; filter.c. */
+void filter_open(Sim *sim);
+void filter_all(Sim *sim, double dt, bool takes_v);
 
 #endif

@@ -72,20 +72,6 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
     return width;
 }
 
-/* R = S r and Q = S r^2 of every axis, for moments. */
-static inline void make_moments(Work *w, int width)
-{
-    for (int d = 0; d < DIM; d++) {
-        Stencil *s = &w->stencil[d];
-        for (int k = 0; k < width; k++)
-            for (int p = 0; p < CHUNK; p++) {
-                const double r = s->base[p] + k - w->x[d][p];
-                s->table[T_R][k][p] = s->table[T_S][k][p] * r;
-                s->table[T_Q][k][p] = s->table[T_S][k][p] * r * r;
-            }
-    }
-}
-
 /* Which table each lane takes on each axis: e[d][t] is 1 in the lanes that take table t, else 0. */
 typedef long long Bits __attribute__((vector_size(LANES * sizeof(double))));
 typedef struct Pattern {
@@ -248,6 +234,14 @@ static inline __attribute__((always_inline)) void gather(const Grid *g, Work *w,
     }
 }
 
+/* Product of S over all axes but the first. */
+static inline double row_share(const Stencil s[DIM], int p, int width, int r)
+{
+    double y = 1;
+    for (int d = 1; d < DIM; d++) y *= s[d].table[T_S][d == 1 ? r % width : r / width][p];
+    return y;
+}
+
 /* Body force m b of the chunk to the nodes, weights S. */
 static inline __attribute__((always_inline)) void deposit_force(Grid *g, const Work *w,
                                                                 const int width)
@@ -256,9 +250,7 @@ static inline __attribute__((always_inline)) void deposit_force(Grid *g, const W
         const size_t first = first_node(g, w->stencil, p);
         FOR_ROWS(r, width)
         {
-            double y = 1;
-            for (int d = 1; d < DIM; d++)
-                y *= w->stencil[d].table[T_S][d == 1 ? r % width : r / width][p];
+            const double y = row_share(w->stencil, p, width, r);
             double *force = g->force + DIM * (first + row_offset(g, width, r));
             for (int i = 0; i < width; i++)
                 for (int a = 0; a < DIM; a++)
@@ -293,17 +285,6 @@ static inline void unpack_sums(Work *w, int at, double scale)
         for (int l = 0; l < LANES; l++) w->sums[at + l][p] = w->A[p][l];
     for (int l = FLUX; l < LANES; l++)
         for (int p = 0; p < CHUNK; p++) w->sums[at + l][p] *= scale;
-}
-
-/* D_d = sum_k S r^2 [m^2] into the first lanes of the second line. */
-static inline void spread(const Sim *sim, Work *w, int width)
-{
-    for (int d = 0; d < DIM; d++)
-        for (int p = 0; p < CHUNK; p++) {
-            double sum = 0;
-            for (int k = 0; k < width; k++) sum += w->stencil[d].table[T_Q][k][p];
-            w->sums[LANES + d][p] = sum * sim->dx * sim->dx;
-        }
 }
 
 #endif

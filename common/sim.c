@@ -15,7 +15,8 @@ static double widest_half(double half)
 static bool field_used(const Setup *s, int field)
 {
     if (field >= AT_N) return s->method->surface;
-    if (field >= AT_U) return s->integrator == MUSL || s->method->filter;
+    if (field >= AT_W) return s->method->filter;
+    if (field >= AT_U) return s->integrator == MUSL;
     if (field >= AT_L) return s->method->keeps_L || s->refresh;
     return true;
 }
@@ -23,7 +24,8 @@ static bool field_used(const Setup *s, int field)
 static void *get(size_t n, size_t size)
 {
     void *memory = NULL;
-    if (posix_memalign(&memory, 64, (n + 1) * size)) return NULL;
+    const size_t line = _Alignof(Line) > 64 ? _Alignof(Line) : 64; /* 3D: two cache lines */
+    if (posix_memalign(&memory, line, (n + 1) * size)) return NULL;
     return memory;
 }
 
@@ -134,12 +136,15 @@ static void set_walls(Sim *sim)
     Grid *g = &sim->g;
     const Scene *scene = sim->setup->scene;
     for (int d = 0; d < DIM; d++) {
-        g->axis[d] = (Axis){-INFINITY, INFINITY};
+        g->axis[d] = (Axis){.wall_lo = -INFINITY, .wall_hi = INFINITY};
         for (int k = 0; k < scene->nwall; k++) {
             const Wall *w = &scene->wall[k];
             const int at = (int)lround(w->at * g->cells) - g->origin[d];
             if (w->axis != d) continue;
-            if (!w->mirror) *(w->side < 0 ? &g->axis[d].wall_lo : &g->axis[d].wall_hi) = at;
+            if (!w->mirror) {
+                *(w->side < 0 ? &g->axis[d].wall_lo : &g->axis[d].wall_hi) = at;
+                *(w->side < 0 ? &g->axis[d].open_lo : &g->axis[d].open_hi) = !(w->hold >> d & 1);
+            }
             if (w->mirror) g->mirror[g->nmirror++] = (Mirror){d, at, w->side};
             if (w->unilateral && !w->mirror) g->stop[g->nstop++] = (Stop){d, at, w->side, w->hold};
             for (int i = 0; i < g->n[d] && !w->mirror && !w->unilateral; i++)

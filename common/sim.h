@@ -20,7 +20,8 @@ enum {
     AT_VOL = AT_M + 1,  /* reference volume [m^DIM] */
     AT_L = AT_VOL + 1,  /* velocity gradient [1/s], NMAT: if the method keeps it */
     AT_U = AT_L + NMAT, /* displacement of this step [m], DIM: if the integrator keeps it */
-    AT_N = AT_U + DIM,  /* outward normal in the reference state, DIM: of surface points */
+    AT_W = AT_U + DIM,  /* velocity in a filter's round [m/s], DIM: if the method has a filter */
+    AT_N = AT_W + DIM,  /* outward normal in the reference state, DIM: of surface points */
     FIELDS = AT_N + DIM
 };
 
@@ -144,6 +145,7 @@ static inline Chunk sim_chunk(const Sim *sim, int k)
         c.x[d] = p->field[AT_X + d] + at;
         c.v[d] = p->field[AT_V + d] + at;
         c.u[d] = p->field[AT_U + d] ? p->field[AT_U + d] + at : NULL;
+        c.w[d] = p->field[AT_W + d] ? p->field[AT_W + d] + at : NULL;
         c.normal[d] = p->field[AT_N + d] ? p->field[AT_N + d] + at : NULL;
     }
     for (int k2 = 0; k2 < NMAT; k2++) {

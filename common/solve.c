@@ -1,7 +1,8 @@
 /* solve.c: the nodes' equations of motion (passes.h): W11 eqs 25, 26 with walls. */
 #include "passes.h"
 
-/* Internal force on the real particles' nodes, before symmetry adds the mirrored ones. */
+/* Internal force on the real particles' nodes, before symmetry adds the mirrored ones; and their
+ * momentum, where the update will replace it. */
 static void book_forces(Sim *sim, double dt)
 {
     Grid *g = &sim->g;
@@ -9,6 +10,7 @@ static void book_forces(Sim *sim, double dt)
         for (int i = g->lo[row]; i < g->hi[row]; i++) {
             const Line n = g->node[(size_t)row * (size_t)g->n[0] + (size_t)i];
             for (int l = FLUX; l < LANES; l++) g->impulse[row][(l - FLUX) % DIM] -= dt * n[l];
+            for (int a = 0; sim->method.pic && a < DIM; a++) g->impulse[row][a] -= n[1 + a];
         }
 }
 
@@ -46,25 +48,27 @@ static unsigned stops_hold(const Grid *g, int row, int i, double dt)
 
 /* One node: v = p/m, a = f/m times `scale`, walls, v += a dt; then what a gather reads. Held
  * components have v = a = 0; `stopped` ones of them the a that brings v to rest, so that particles
- * do not keep a velocity into a wall that is to let them go. Books the impulse m a dt (less the
- * internal force, which must sum to nothing). */
+ * do not keep a velocity into a wall that is to let them go. Books the momentum that particles will
+ * get, less what they bring and the internal force, which must sum to nothing: m a times `share` =
+ * dt, or m v times 1 where the update replaces velocities. */
 static inline void solve_node(Sim *sim, size_t at, unsigned held, unsigned stopped, double dt,
-                              double scale, double impulse[DIM])
+                              double scale, double share, double impulse[DIM])
 {
     Grid *g = &sim->g;
+    const bool pic = sim->method.pic;
     const Line in = g->node[at];
     const double inverse = 1 / in[0];
     Line out = {0};
     for (int a = 0; a < DIM; a++) {
         double f = 0;
         for (int b = 0; b < DIM; b++) f += in[FLUX + b * DIM + a];
-        if (!sim->g.nmirror) impulse[a] -= dt * scale * f;
+        if (!g->nmirror) impulse[a] -= dt * scale * f + (pic ? share * in[1 + a] : 0);
         if (g->force) f += g->force[at * DIM + (size_t)a];
         const bool hold = held >> a & 1;
         double acc = hold ? 0 : f * inverse * scale;
         if (stopped >> a & 1) acc = -in[1 + a] * inverse / dt;
         const double v = hold ? 0 : in[1 + a] * inverse + acc * dt;
-        impulse[a] += dt * in[1 + DIM] * acc;
+        impulse[a] += share * in[1 + DIM] * (pic ? v : acc);
         out[a] = v;
         out[DIM + a] = acc;
         for (int b = 0; b < DIM; b++) out[FLUX + b * DIM + a] = v;
@@ -83,7 +87,7 @@ static inline void clear_node(Sim *sim, size_t at, unsigned held, double dt, dou
 }
 
 /* Nodes that are nobody's are set to zero; ghosts of a symmetry line are left to it. */
-static void solve_row(Sim *sim, int row, double dt, double scale, bool force)
+static void solve_row(Sim *sim, int row, double dt, double scale, double share, bool force)
 {
     Grid *g = &sim->g;
     const size_t start = (size_t)row * (size_t)g->n[0];
@@ -105,7 +109,7 @@ static void solve_row(Sim *sim, int row, double dt, double scale, bool force)
         if (empty)
             clear_node(sim, at, own, dt * scale, g->impulse[row]);
         else
-            solve_node(sim, at, own, force ? stops & ~held & ~g->hold[0][i] : 0, dt, scale,
+            solve_node(sim, at, own, force ? stops & ~held & ~g->hold[0][i] : 0, dt, scale, share,
                        g->impulse[row]);
     }
     g->live[row] = live;
@@ -114,6 +118,7 @@ static void solve_row(Sim *sim, int row, double dt, double scale, bool force)
 void solve_all(Sim *sim, double dt, double scale, bool force)
 {
     Grid *g = &sim->g;
+    const double share = sim->method.pic ? force : dt;
     for (int row = 0; row < g->rows; row++)
         for (int a = 0; a < DIM; a++) g->impulse[row][a] = 0;
     if (g->nmirror) {
@@ -124,8 +129,8 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0))
-            solve_row(sim, row, dt, scale, force);
-    if (g->nmirror) grid_unfold(sim, dt);
+            solve_row(sim, row, dt, scale, share, force);
+    if (g->nmirror) grid_unfold(sim, share);
     if (sim->method.wall_images) grid_wall_images(sim);
     long live = 0;
     for (int row = 0; row < g->rows; row++) {

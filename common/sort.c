@@ -4,7 +4,7 @@
 #include <limits.h>
 #include <math.h>
 #include <string.h>
-#include "sim.h"
+#include "passes.h"
 
 /* Where every particle's stencil stands, per axis: its cell, or its nearest node if stencils are
  * about a node (odd widths), so that neighbours in the order share all their nodes. */
@@ -142,6 +142,7 @@ static void find_spans(Sim *sim, const int order[])
 
 void sim_sort(Sim *sim)
 {
+    const bool first = isinf(sim->travel);
     const int half = sim->half_now <= 0.5 ? 1 : 0;
     sim->half_plan = half ? 0.5 : fmin(1.25 * sim->half_now, sim->half_max);
     sim->key_shift = sim->method.about_node || sim->method.width(sim->half_plan) % 2 ? 0.5 : 0;
@@ -156,4 +157,5 @@ void sim_sort(Sim *sim)
     cut_blocks(sim, order, source);
     permute(sim, source);
     sim->travel = 0;
+    if (first && sim->method.moments) start_moments(sim);
 }

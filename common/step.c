@@ -66,9 +66,11 @@ Status sim_step(Sim *sim, double t, double dt, bool first)
     sort_if_due(sim);
     for (int k = 0; k < 2 && integrators[s->integrator].pass[k].used; k++) {
         const Pass *pass = &integrators[s->integrator].pass[k];
+        const bool filter = sim->method.filter && (pass->force || !sim->method.filter_first);
         deposit_all(sim, t, pass->force ? FORCES : MOTION);
+        if (filter) filter_open(sim);
         solve_all(sim, dt, scale, pass->force);
-        if (pass->force && s->method->filter) filter_all(sim, dt);
+        if (filter) filter_all(sim, dt, pass->force);
         if (gather_all(sim, dt, pass->take | (s->refresh ? pass->fresh : 0))) {
             const Status status = sim_check(sim);
             if (status.code != OK) return status;
@@ -83,6 +85,8 @@ Status sim_project(Sim *sim)
 {
     sort_if_due(sim);
     deposit_all(sim, 0, MOTION);
+    if (sim->method.filter) filter_open(sim);
     solve_all(sim, 0, 1, false);
+    if (sim->method.filter && !sim->method.filter_first) filter_all(sim, 0, false);
     return (Status){OK, -1, 0};
 }

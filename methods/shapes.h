@@ -1,4 +1,4 @@
-/* shapes.h: how a particle sees the nodes of one axis: tent and GIMP.
+/* shapes.h: how a particle sees the nodes of one axis: tent, GIMP and quadratic spline.
  *
  * All lengths in cells: x position, b = l/h half width, r = x - x_i. W07 section 2; Bardenhagen &
  * Kober 2004. GIMP is the exact convolution of the tent with a top hat of half width b, for any b:
@@ -107,14 +107,14 @@ static inline void gimp_shape(const Axis *axis, int width, const Field x, const 
         }
 }
 
-/* The weight of WLS, a quadratic spline about the nearest node, W11 eq 4: |x - x_i| < 3/2. */
-static inline int weight_width(double b)
+/* Quadratic spline about the nearest node, W11 eq 4, the weight of WLS, too: |x - x_i| < 3/2. */
+static inline int spline_width(double b)
 {
     (void)b;
     return 3;
 }
 
-static inline void weight_shape(const Axis *axis, int width, const Field x, const Field b,
+static inline void spline_shape(const Axis *axis, int width, const Field x, const Field b,
                                 Stencil *out)
 {
     (void)axis, (void)width, (void)b;
@@ -127,6 +127,41 @@ static inline void weight_shape(const Axis *axis, int width, const Field x, cons
         out->table[T_G][0][p] = r - 0.5, out->table[T_G][1][p] = -2 * r,
         out->table[T_G][2][p] = r + 0.5;
     }
+}
+
+/* The quadratic spline with its weights folded at walls (Steffen et al. 2008): a node beyond a wall
+ * gives its weight w to the two inside as 2w, -w, which is linear extrapolation: the sums of S, of
+ * S x_i and of G x_i stay exact up to the wall. Nodes beyond are not touched; a particle that
+ * slips past the wall keeps the weights' polynomials. */
+static inline void folded_shape(const Axis *axis, int width, const Field x, const Field b,
+                                Stencil *out)
+{
+    (void)width, (void)b;
+    const double lo = axis->open_lo ? -INFINITY : axis->wall_lo;
+    const double hi = axis->open_hi ? INFINITY : axis->wall_hi;
+    for (int p = 0; p < CHUNK; p++) {
+        const double at = floor(x[p] + 0.5), c = at + (at < lo) - (at > hi), r = x[p] - c;
+        const double low = c - 1 < lo, high = c + 1 > hi;
+        const double down = 0.5 * (0.5 - r) * (0.5 - r), up = 0.5 * (0.5 + r) * (0.5 + r);
+        const double gdown = r - 0.5, gup = r + 0.5;
+        out->base[p] = (int)c - 1;
+        out->table[T_S][0][p] = (1 - low) * down - high * up;
+        out->table[T_S][1][p] = 0.75 - r * r + 2 * (low * down + high * up);
+        out->table[T_S][2][p] = (1 - high) * up - low * down;
+        out->table[T_G][0][p] = (1 - low) * gdown - high * gup;
+        out->table[T_G][1][p] = -2 * r + 2 * (low * gdown + high * gup);
+        out->table[T_G][2][p] = (1 - high) * gup - low * gdown;
+    }
+}
+
+/* Values of `shape=spline|gimp`, the first parameter of methods that offer both. */
+enum { BY_SPLINE, BY_GIMP };
+
+static inline void choose_shape(const double par[], Method *own)
+{
+    const bool gimp = par[0] > 0;
+    own->width = gimp ? gimp_width : spline_width;
+    own->shape = gimp ? gimp_shape : folded_shape;
 }
 
 #endif

@@ -49,8 +49,8 @@ void wls_adapt(const double par[], Method *own)
 {
     own->surface_per_cell = par[P_SURFACE_PER_CELL];
     if (par[P_RETURN] < RETURN_SPLINE) return;
-    own->width = weight_width;
-    own->shape = weight_shape;
+    own->width = spline_width;
+    own->shape = spline_shape;
     own->wall_images = true;
 }
 

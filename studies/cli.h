@@ -15,7 +15,7 @@ typedef struct Command {
 } Command;
 
 extern const Command list_command, describe_command, run_command, study_command, sweep_command,
-    claims_command;
+    claims_command, new_method_command;
 
 /* The study of that name, or NULL and a fault with the nearest one. */
 const Study *study_named(const char *name, Fault *fault);

@@ -5,8 +5,9 @@
 #include "manual.h"
 #include "signals.h"
 
-static const Command *const commands[] = {&list_command,  &describe_command, &run_command,
-                                          &study_command, &sweep_command,    &claims_command};
+static const Command *const commands[] = {&list_command,      &describe_command, &run_command,
+                                          &study_command,     &sweep_command,    &claims_command,
+                                          &new_method_command};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 /* What the program says of itself; 0 if text is none of these options. */

@@ -37,7 +37,7 @@ enum { SECTIONS = sizeof sections / sizeof *sections };
 void manual_help(const Command *const commands[], int n)
 {
     printf("usage: mpmlab COMMAND ...\n%s\n\n", about);
-    for (int k = 0; k < n; k++) printf("  %-9s %s\n", commands[k]->name, commands[k]->about);
+    for (int k = 0; k < n; k++) printf("  %-10s %s\n", commands[k]->name, commands[k]->about);
     printf("\n");
     options_help(own, stdout);
     for (const struct Section *s = sections; s < sections + SECTIONS; s++) {

@@ -55,6 +55,8 @@ void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator 
                           .snapshot_nodes = true,
                           .threads = 1};
     plan->solver = &particle_solver;
+    for (const Param *p = method->info.params; p && p->name; p++)
+        plan->method_par[p - method->info.params] = p->value;
     r->dt = problem->cfl * plan->scene.cell / plan->scene.c;
 }
 

@@ -1,6 +1,7 @@
 /* test_dynamics.c: order in time, the ledgers of energy and momentum, and the published numbers. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "rig.h"
 
 /* ---- order in time */
@@ -44,7 +45,9 @@ static void test_time_order_1d(void)
     if (DIM != 1) return;
     FOR_METHODS(m) FOR_INTEGRATORS(i)
     {
-        if (!(*m)->smooth) continue;
+        if (!(*m)->smooth || (*m)->pic) continue; /* a PIC update damps once a step */
+        if (i == MUSL && strcmp((*m)->info.name, "bspline") == 0)
+            continue; /* P S of a spline is farther from 1 */
         const double fall = fall_with_dt(&c, *m, i, 0.002, 40);
         const double wanted = i == USL || i == USF ? 2 : i == UVF || (*m)->linear_exact ? 4 : 3.7;
         CHECK_CLOSE(fall, wanted, fabs(wanted - 3.7) < 0.1 ? 0.3 : 0.02);
@@ -57,7 +60,7 @@ static void test_time_order_2d(void)
     if (DIM != 2) return;
     FOR_METHODS(m)
     {
-        if (!(*m)->smooth || (*m)->keeps_L)
+        if (!(*m)->smooth || (*m)->keeps_L || (*m)->pic)
             continue; /* crossings disturb a kept L at first order */
         CHECK_CLOSE(fall_with_dt(&c, *m, UVF, 0.005, 16), 4, 0.2);
         CHECK_CLOSE(fall_with_dt(&c, *m, USL, 0.005, 16), 2, 0.1);

@@ -13,7 +13,7 @@ static double tolerance(double b)
 
 static void shape(const Method *m, const Field x, const Field b, double widest, Stencil *s)
 {
-    const Axis open_axis = {-INFINITY, INFINITY};
+    const Axis open_axis = {.wall_lo = -INFINITY, .wall_hi = INFINITY};
     m->shape(&open_axis, m->width(widest), x, b, s);
 }
 

@@ -62,6 +62,16 @@ static double run(const Case *c, const Method *m, const char *more)
     return row.error_linf;
 }
 
+/* Tents and the particles' own tiles; a spline's support is cut by the ends, a filter spreads that.
+ */
+static bool tiles(const Method *m)
+{
+    static const char *const known[] = {"mpm", "gimp", "xpic"};
+    bool found = m->linear_exact;
+    for (int k = 0; k < COUNT(known); k++) found |= strcmp(m->info.name, known[k]) == 0;
+    return found;
+}
+
 /* Interior nodes of the squeeze test are exact at whole PPC: the two boundary nodes, wrong by h/3,
  * must not be counted. GE is exact for the linear field at any number of particles. */
 static void test_squeeze(void)
@@ -69,7 +79,7 @@ static void test_squeeze(void)
     static const Case whole[] = {{1, "squeeze", 100, 2, 0, NULL}, {1, "squeeze", 100, 5, 0, NULL}};
     if (DIM != 1) return;
     for (int k = 0; k < COUNT(whole); k++)
-        FOR_METHODS(m) CU_ASSERT(run(&whole[k], *m, NULL) < 1e-13);
+        FOR_METHODS(m) if (tiles(*m)) CU_ASSERT(run(&whole[k], *m, NULL) < 1e-13);
     for (int n = 53; n < 1000; n += 67) FOR_METHODS(m)
         {
             char more[32];

@@ -1,0 +1,48 @@
+/* apic.c: affine particle-in-cell (Jiang, Schroeder, Selle, Teran & Stomakhin 2015).
+ *
+ * To the grid: m_i v_i = sum_p S_ip m_p (v_p + B_p D_p^-1 (x_i - x_p)); back: v_p = sum_i S_ip v_i,
+ * B_p = sum_i S_ip v_i (x_i - x_p)^T. D_p = sum_i S_ip (x_i - x_p)(x_i - x_p)^T is diagonal for
+ * products of one weight an axis; h^2/4 for the quadratic spline, but with GIMP it varies with
+ * place and width. So B is kept, in the place of L, and divided by D as it is at the deposit: then
+ *   sum_i x_i x m_i v_i = sum_p m_p (x_p x v_p + eps : B_p),
+ * whatever D is, and the way back keeps it, as x moves with v: angular momentum is conserved.
+ * Next to a wall the folded spline is a tent, whose D fades with the distance, as B does. */
+#include "shapes.h"
+#include "transfers.h"
+
+static void update(const Chunk *c, const Field sums[], double dt, unsigned take)
+{
+    const Field *moment = sums + LANES + FLUX; /* b DIM + a: sum_i S v_a (x_i - x_p)_b */
+    pic_update(c, sums, dt, take);
+    if (take & TAKE_V)
+        for (int a = 0; a < DIM; a++)
+            for (int b = 0; b < DIM; b++)
+                for (int p = 0; p < CHUNK; p++) c->L[a * DIM + b][p] = moment[b * DIM + a][p];
+}
+
+static const Param params[] = {{"shape", BY_SPLINE, 0, 1, "",
+                                "weights: quadratic spline folded at walls, or GIMP", "",
+                                "spline|gimp"},
+                               {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+
+const Method method_apic = {
+    .info = {.name = "apic",
+             .label = "APIC",
+             .about = "affine velocity of every particle from moments of the grid velocity",
+             .source = "Jiang et al. 2015",
+             .params = params},
+    .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
+    .integrator = {[1] = CD, [2] = CD, [3] = CD},
+    .keeps_L = true,
+    .affine = true,
+    .moments = true,
+    .linear_exact = true,
+    .pic = true,
+    .turns = true,
+    .smooth = true,
+    .width = spline_width,
+    .shape = folded_shape,
+    .payload = gradient_payload,
+    .update = update,
+    .adapt = choose_shape,
+};
