@@ -89,8 +89,9 @@ static int shoot_nodes(Snapshots *s, const Solver *solver, const void *self, lon
 {
     Nodes n;
     solver->nodes(self, &n);
-    double(*x)[3] = calloc((size_t)n.n + 1, 2 * sizeof *x), (*v)[3] = x + n.n;
+    double(*x)[3] = calloc((size_t)n.n + 1, 2 * sizeof *x);
     if (!x) return no_memory(fault);
+    double(*v)[3] = x + n.n;
     for (int k = 0; k < n.n; k++)
         for (int d = 0; d < DIM; d++) x[k][d] = n.x[d][k], v[k][d] = n.v[d][k];
     const VtkArray arrays[] = {{"v", VTK_F64, 3, v}, {"mass", VTK_F64, 1, n.m}, {0}};

@@ -79,7 +79,7 @@ refused "claims takes no names" 2 "options only" claims all
 
 # Sweeps: lists that are none
 for list in 8:128 8:128:2 '8:128:*1' '8:128:*0.5' '8:128:+0' '128:8:*2' '0:8:*2' '8:x:*2' ':8:*2' '8:16:*2:3' '1:1e6:+1' \
-    8,,16 , ''; do
+    '8,,16' ',' ''; do
     refused "--cells $list" 2 "--cells" sweep squeeze "--cells=$list"
 done
 refused "sweep of nothing" 2 "PROBLEM" sweep
@@ -266,7 +266,7 @@ ok "a table that was edited is not judged" grep -q '^NOT_RUN.*not the one' out
 # Snapshots, opened by VTK's own reader
 /usr/bin/python3 -c 'import vtkmodules.vtkIOXML' 2>/dev/null && vtk=1 || vtk=0
 [ $vtk = 1 ] || echo "SKIPPED reading snapshots: no VTK for /usr/bin/python3 (make deps-extra)"
-vtk_read() { /usr/bin/python3 "$here/vtk_read.py" "$@" >read 2>&1; }
+vtk_read() { /usr/bin/python3 "$here/vtk_read.py" "$@" >"read" 2>&1; }
 for method in gimp fem wls2; do
     run run disk_impact --method $method --cells 16 --vtk snap/$method --every 40 --particles last.csv --samples all.csv
     ok "--vtk $method: $(cat err)" test "$status" -eq 0 -a -s snap/$method/particles.pvd

@@ -40,7 +40,7 @@ refuse problems "problems/ sees no Sim, no method" \
     '.*(methods|fem_ref|studies)/.*|.*(sim|scheme|method|step)\.h'
 refuse fem_ref "fem_ref/ shares no loop with methods/" '.*(methods|studies)/.*|.*(sim|scheme)\.h'
 
-found=$(grep -rnE '#\s*(el)?if.*\bDIM\b' --include='*.[ch]' . | grep -v '^./common/dim\.h') &&
+found=$(grep -rnE '#\s*(el)?if.*\bDIM\b' --include='*.[ch]' --exclude-dir=build . | grep -v '^./common/dim\.h') &&
     complain "#if DIM outside common/dim.h"$'\n'"$found"
 found=$(grep -nE 'str(n)?cmp *\([^;]*"(mpm|gimp|ge_mpm|ge_gimp|wls|wls2|ge_wls|fem)"' \
     common/*.[ch] problems/*.[ch] studies/*.[ch]) && complain "branches on a method's name"$'\n'"$found"
@@ -75,8 +75,8 @@ if [ -d "$BUILD/gcc/d2" ]; then
     for d in 1 2; do
         stages "$BUILD/gcc/d$d/common/mirror.o" 2 # visits, once a line of symmetry
         stages "$BUILD/gcc/d$d/common/solve.o" 1  # repair
-        stages "$BUILD/gcc/d$d/common/deposit.o" 7 # width, shape of two axes, payload, body force, assemble; distance
-        stages "$BUILD/gcc/d$d/common/gather.o" 7  # width and shapes twice (filters), update
+        stages "$BUILD/gcc/d$d/common/deposit.o" 10 # width and shapes twice (filters), payload, body force, assemble; distance
+        stages "$BUILD/gcc/d$d/common/gather.o" 10  # width and shapes thrice (filters, first moments), update
     done
 fi
 
