@@ -19,7 +19,7 @@ LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
 comma  = ,
 paren  = (
 FREE   = $(patsubst %,common/%.c,fault file info row spec table vtk_file) \
-         $(wildcard studies/*.c)
+         methods/wls_squares.c $(wildcard studies/*.c)
 DIMMED = $(filter-out $(FREE), $(wildcard common/*.c)) $(wildcard methods/*.c)
 problem_sources = $(shell sed -n 's/^PROBLEM$(paren)\([a-z_0-9]*\), $(1).*/problems\/\1.c/p' problems/problems.def)
 PROBLEMS_1 = $(call problem_sources,1)
@@ -55,6 +55,10 @@ $(BUILD)/studies/%.o: studies/%.c $(HEADERS) $(BUILD)/facts.h Makefile
 	$(CC) $(CFLAGS) -I$(BUILD) -c -o $@ $<
 
 $(BUILD)/common/%.o: common/%.c $(HEADERS) Makefile
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -c -o $@ $<
+
+$(BUILD)/methods/%.o: methods/%.c $(HEADERS) Makefile
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -c -o $@ $<
 

@@ -103,3 +103,34 @@ int write_nodes(const char *path, const Solver *solver, const void *self, Fault 
     }
     return file_commit(out, path, fault);
 }
+
+typedef struct Polygons {
+    FILE *out;
+    int n;
+} Polygons;
+
+static void patch_lines(void *own, const Patch *patch)
+{
+    Polygons *p = own;
+    if (p->n) fputs("\n", p->out);
+    for (int k = 0; k < patch->sides; k++) {
+        fprintf(p->out, "%d,%d,", p->n, k);
+        for (int d = 0; d < DIM; d++) number(p->out, patch->corner[k][d], ",");
+        fputs(patch->cut ? "1\n" : "0\n", p->out);
+    }
+    p->n++;
+}
+
+int write_patches(const char *path, const Solver *solver, const void *self, Fault *fault)
+{
+    Polygons p = {NULL, 0};
+    if (DIM == 2 && solver->patches) {
+        p.out = file_begin(path, fault);
+        if (!p.out) return FAULT_MACHINE;
+        fputs("cell,k,x,y,cut\n", p.out);
+        solver->patches(self, patch_lines, &p);
+        if (p.n) return file_commit(p.out, path, fault);
+        file_abandon(p.out, path);
+    }
+    return fault_set(fault, FAULT_USAGE, "--patches: this method has no polygons here");
+}

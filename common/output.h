@@ -32,4 +32,8 @@ int write_errors(const char *path, const Scene *scene, const Points *p, double t
 /* Live nodes with their velocities: id,x,y,mass,vx,vy. */
 int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault);
 
+/* Polygons of cells or elements as the last step had them: cell,k,x,y,cut; a blank line between
+ * two. A fault where there are none. */
+int write_patches(const char *path, const Solver *solver, const void *self, Fault *fault);
+
 #endif

@@ -216,6 +216,7 @@ static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
         code = write_samples(spec->samples, &l->plan->scene, solver, l->self, fault);
     if (!code && spec->errors) code = write_errors_now(spec->errors, l, fault);
     if (!code && spec->nodes) code = write_nodes(spec->nodes, solver, l->self, fault);
+    if (!code && spec->patches) code = write_patches(spec->patches, solver, l->self, fault);
     return code;
 }
 

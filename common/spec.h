@@ -24,6 +24,7 @@ typedef struct RunSpec {
     const char *history, *particles, *nodes; /* output files of this run, or NULL; not owned */
     const char *samples;                     /* what carries strain: elements, or particles */
     const char *errors;                      /* every point's error at the end, or NULL */
+    const char *patches;                     /* polygons of cells or elements, or NULL */
     const char *vtk;                         /* folder for snapshots, or NULL */
     int every;                               /* steps between snapshots */
 } RunSpec;

@@ -85,6 +85,8 @@ static void set_outputs(Cases *cases)
             c->spec.samples = c->file;
         else if (strcmp(c->kind, "errors") == 0)
             c->spec.errors = c->file;
+        else if (strcmp(c->kind, "patches") == 0)
+            c->spec.patches = c->file;
         else
             fault_set(&cases->fault, FAULT_USAGE, "case file of unknown kind '%s'", c->kind);
     }

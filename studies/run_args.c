@@ -19,6 +19,7 @@ const Option run_options[] = {
     {"nodes", "FILE", "write the grid nodes at the end"},
     {"samples", "FILE", "write what carries strain at the end: elements of fem, else particles"},
     {"errors", "FILE", "write every point's error at the end"},
+    {"patches", "FILE", "write the polygons of cells or elements at the end (plane only)"},
     {"vtk", "DIR", "write snapshots into DIR"},
     {"every", "K", "steps between snapshots (default: first and last only)"},
     {"quiet", NULL, "no messages"},
@@ -44,13 +45,10 @@ static const struct File {
     const char *option;
     size_t at;
 } files[] = {
-    {"history", offsetof(RunArgs, spec.history)},
-    {"particles", offsetof(RunArgs, spec.particles)},
-    {"nodes", offsetof(RunArgs, spec.nodes)},
-    {"samples", offsetof(RunArgs, spec.samples)},
-    {"errors", offsetof(RunArgs, spec.errors)},
-    {"vtk", offsetof(RunArgs, spec.vtk)},
-    {"csv", offsetof(RunArgs, csv)},
+    {"history", offsetof(RunArgs, spec.history)}, {"particles", offsetof(RunArgs, spec.particles)},
+    {"nodes", offsetof(RunArgs, spec.nodes)},     {"samples", offsetof(RunArgs, spec.samples)},
+    {"errors", offsetof(RunArgs, spec.errors)},   {"patches", offsetof(RunArgs, spec.patches)},
+    {"vtk", offsetof(RunArgs, spec.vtk)},         {"csv", offsetof(RunArgs, csv)},
 };
 
 enum { MOST_NAMES = 64 };

@@ -27,7 +27,7 @@ typedef struct Study {
 void case_add(Cases *cases, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* The same with a file that the run must leave beside the table: kind is "history", "particles",
- * "samples", "errors" or "nodes", file a name within the study's folder. */
+ * "samples", "errors", "nodes" or "patches", file a name within the study's folder. */
 void case_add_with(Cases *cases, const char *kind, const char *file, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 

@@ -103,11 +103,72 @@ static void check_gimp(Check *c, const Table *t)
           spread_in_cfl(t, "gimp"), 1, 1.1);
 }
 
+/* (largest - smallest)/largest error of the runs with CFL .05 .. .6 at N = 32. */
+static double share_in_cfl(const Table *t, const char *method)
+{
+    char by_method[64];
+    const char *const where[] = {by_method, "layout=radial", "cells=32", "status=ok"};
+    double x[2 * MOST], error[2 * MOST], low = INFINITY, high = 0;
+    int seen = 0;
+    snprintf(by_method, sizeof by_method, "method=%s", method);
+    rows_pick(t, 4, where, "cfl", 2 * MOST, x);
+    const int n = rows_pick(t, 4, where, "error_linf", 2 * MOST, error);
+    for (int k = 0; k < n; k++) {
+        if (x[k] > 0.6001) continue;
+        low = fmin(low, error[k]);
+        high = fmax(high, error[k]);
+        seen++;
+    }
+    return seen < 7 ? NAN : (high - low) / high;
+}
+
+/* Order over N = 16 .. 64. */
+static double order_coarse(const Table *t, const char *method)
+{
+    double n[MOST], error[MOST];
+    const int count = curve(t, method, "radial", n, error);
+    int kept = 0;
+    for (int k = 0; k < count; k++)
+        if (n[k] >= 16 && n[k] <= 64) n[kept] = n[k], error[kept++] = error[k];
+    return -order_fit(kept, n, error, NULL);
+}
+
+static void check_wls(Check *c, const Table *t)
+{
+    const double at_32 = error_at(t, "wls", "radial", 32);
+    claim(c, "W11-6.wls-32", "WLS's largest error at N = 32", at_32, 0.85 * 7.71e-4,
+          1.15 * 7.71e-4);
+    claim(c, "W11-6.wls-64", "the same at N = 64", error_at(t, "wls", "radial", 64), 0.75 * 2.73e-4,
+          1.25 * 2.73e-4);
+    claim(c, "W11-6.wls-gimp",
+          "WLS is better than GIMP with particles on the lattice: its error over GIMP's, N = 32",
+          at_32 / error_at(t, "gimp", "cartesian", 32), 0, 0.5);
+    claim_differs(c, "W11-6.wls-cfl",
+                  "WLS's error is flat in CFL .05 to .6 at N = 32: (largest - smallest)/largest",
+                  share_in_cfl(t, "wls"), 0, 0.10, 0.10, 0.12,
+                  "it falls slowly with a larger step; CFL .05 to .5 is within 6 %");
+}
+
+static void check_wls2(Check *c, const Table *t)
+{
+    claim(c, "W11-6.wls2-32", "WLS2's largest error at N = 32", error_at(t, "wls2", "radial", 32),
+          0, 6.0e-4);
+    claim(c, "W11-6.wls2-64", "the same at N = 64", error_at(t, "wls2", "radial", 64), 0, 1.4e-4);
+    claim(c, "W11-6.wls2-128", "the same at N = 128", error_at(t, "wls2", "radial", 128), 0, 4e-5);
+    claim(c, "W11-6.wls2-order", "WLS2 is of second order: fitted over N = 16 to 64",
+          order_coarse(t, "wls2"), 1.8, 2.3);
+    claim(c, "W11-6.wls2-cfl",
+          "WLS2's error falls with a larger step, CFL .05 to .6: (largest - smallest)/largest",
+          share_in_cfl(t, "wls2"), 0, 0.35);
+}
+
 static void check(Check *c, const Table *t, const char *dir)
 {
     (void)dir;
     check_fem(c, t);
     check_gimp(c, t);
+    check_wls(c, t);
+    check_wls2(c, t);
     claim(c, "W11-6.mpm-order", "MPM does not converge", order(t, "mpm", "cartesian"), -1, 0.5);
     note_number(c, "order_gimp_radial", order(t, "gimp", "radial"));
     for (const Info *const *m = engine_2d.methods; *m; m++) {

@@ -243,6 +243,9 @@ ok "repeat is part of the key only" grep -q 'repeat=2' out
 run run sine_bar --cells 10 --errors e.csv
 ok "--errors" awk -F, 'NR > 1 && $4 > m { m = $4 } END { exit !(NR == 21 && m > 0) }' e.csv
 refused "--errors without an exact motion" 2 "exact" run squeeze --errors e.csv
+run run ring --method wls2 --cells 8 --set steps=1 --patches c.csv
+ok "--patches" awk -F, 'NR == 1 { ok = $0 == "cell,k,x,y,cut" } NF == 5 && $5 == 1 { n++ } END { exit !(ok && n > 20) }' c.csv
+refused "--patches of a method without polygons" 2 "polygons" run ring --method gimp --cells 8 --set steps=1 --patches c.csv
 run study t_02_work_precision --quick --out t --list
 ok "a timed study says so" grep -q 'one after the other' err
 
