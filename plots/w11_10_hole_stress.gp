@@ -39,10 +39,10 @@ set xlabel 'cells per unit length, N'
 unset key
 do for [k = 1:2] {
     set lmargin at screen (k == 1 ? 0.09 : 0.51)
-    set rmargin at screen (k == 1 ? 0.42 : 0.84)
+    set rmargin at screen (k == 1 ? 0.42 : 0.80)
     set label 1 heading(k == 1 ? '(b) rms difference' : '(c) its scatter')
     set ylabel k == 1 ? '[GPa]' : ''
-    if (k == 2) { set key at screen 0.855, screen 0.43 left top }
+    if (k == 2) { set key at screen 0.81, screen 0.43 left top }
     plot for [m in METHODS] exists('rms_'.m) ? sums : '/dev/null' using (of(m, 'cells')):(k == 1 ? column('rms') : column('scatter')) \
          with linespoints ls style(m) title exists('rms_'.m) ? label(m).(known(m) ? '' : ' (lost)') : ''
 }
