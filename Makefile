@@ -31,7 +31,7 @@ HEADERS    = $(wildcard */*.h) $(wildcard */*.def)
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 
-.PHONY: all deps deps-extra test figures bench rank san lint mutants faults install uninstall builds repeat memcheck \
+.PHONY: all deps deps-extra test quick figures bench rank san lint mutants faults install uninstall builds repeat memcheck \
   coverage fuzz fuzzers clean force
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -121,6 +121,9 @@ $(BUILD)/tests/fem $(BUILD)/tests/wls $(BUILD)/tests/scenes: $(BUILD)/tests/chec
   $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 
+RUN_UNITS = for t in $(UNIT_TESTS); do \
+  (cd $(BUILD)/tests && OMP_WAIT_POLICY=passive $(CURDIR)/$$t) || exit 1; done
+
 test:
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(CLI_TEST)
@@ -130,7 +133,14 @@ test:
 	bash tests/install.sh $(BUILD) $(BUILD)/tests
 	bash tests/cluster.sh $(BUILD)/mpmlab $(BUILD)/tests
 	bash tests/page.sh $(BUILD)/mpmlab $(BUILD)/tests
-	@for t in $(UNIT_TESTS); do (cd $(BUILD)/tests && OMP_WAIT_POLICY=passive $(CURDIR)/$$t) || exit 1; done
+	@$(RUN_UNITS)
+
+# Those of the program's own code, for sanitizers.
+quick:
+	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
+	$(CLI_TEST)
+	$(WRONG_TEST)
+	@$(RUN_UNITS)
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
 bench: all $(BUILD)/tests/bench
@@ -154,9 +164,9 @@ lint:
 
 # The same tests under the address and undefined-behaviour sanitizers.
 san:
-	$(MAKE) BUILD=$(BUILD)/san ARCH= OPT='-O1 -fno-omit-frame-pointer' \
-	  SAN=-fsanitize=address,undefined test
 	$(MAKE) fuzz SECONDS=2
+	$(MAKE) BUILD=$(BUILD)/san ARCH= OPT='-O1 -fno-omit-frame-pointer' \
+	  SAN=-fsanitize=address,undefined quick
 
 # What takes minutes, each ending in a line of counts.
 builds repeat memcheck coverage:

@@ -3,6 +3,7 @@
 # start a method, fill it in, build, run it, and find it in lists and in studies. Then what
 # new-method refuses. Prints what failed, then "N passed, N failed"; status 1 if any did.
 set -u
+unset MAKEFLAGS MFLAGS MAKEOVERRIDES # the copy is built with its own settings
 root=$(realpath "$(dirname "$0")/..")
 mkdir -p "$1"
 tree=$(realpath "$1")/tree
