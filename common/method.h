@@ -110,15 +110,16 @@ typedef struct Method {
      * an integral over cells). `assemble` takes the place of the deposit and leaves every node as a
      * deposit would: lane 0 mass, momentum, spare lanes mass, internal force in the lanes from FLUX
      * on, body force in Grid.force; on the real side of symmetry lines only. `repair` comes after
-     * symmetry has folded the nodes and before a = f/m. */
+     * symmetry has folded the nodes and before v = p/m + dt f/m. */
     void (*assemble)(struct Sim *sim, double t, bool force);
-    void (*repair)(struct Sim *sim);
+    void (*repair)(struct Sim *sim, double dt);
 
     /* Shows the polygons that the last `assemble` integrated over, for output; or NULL. */
     void (*patches)(const struct Sim *sim, PatchVisit *visit, void *own);
 
-    /* Its workspace Sim.own, once a run (false: out of memory), and how it chooses its stages by
-     * parameter: `adapt` changes the run's own copy of this struct. */
+    /* Its workspace Sim.own, once a run (false: out of memory), of node_bytes a grid node; and how
+     * it chooses its stages by parameter: `adapt` changes the run's own copy of this struct. */
+    size_t node_bytes;
     bool (*make)(struct Sim *sim);
     void (*free)(struct Sim *sim);
     void (*adapt)(const double par[], struct Method *own);

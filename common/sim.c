@@ -12,12 +12,12 @@ static double widest_half(double half)
     return fmin(fmax(1.5, 4 * half), (MAX_WIDTH - 5) / 2.0);
 }
 
-static bool field_used(const Setup *s, int field)
+static bool field_used(const Sim *sim, int field)
 {
-    if (field >= AT_N) return s->method->surface;
-    if (field >= AT_W) return s->method->filter;
-    if (field >= AT_U) return s->integrator == MUSL;
-    if (field >= AT_L) return s->method->keeps_L || s->refresh;
+    if (field >= AT_N) return sim->method.surface;
+    if (field >= AT_W) return sim->method.filter;
+    if (field >= AT_U) return sim->setup->integrator == MUSL;
+    if (field >= AT_L) return sim->method.keeps_L || sim->setup->refresh;
     return true;
 }
 
@@ -64,7 +64,7 @@ static bool fields_alloc(Sim *sim)
     if (!(p->arena = get((FIELDS + 1) * stride, sizeof(double)))) return false;
     p->spare = p->arena;
     for (int f = 0; f < FIELDS; f++)
-        if (field_used(sim->setup, f)) p->field[f] = p->arena + ++used * stride;
+        if (field_used(sim, f)) p->field[f] = p->arena + ++used * stride;
     return true;
 }
 
@@ -91,8 +91,9 @@ static double bytes_needed(const Sim *sim, double particles)
     const Scene *scene = sim->setup->scene;
     double nodes = 1, fields = 4;
     for (int d = 0; d < DIM; d++) nodes *= (scene->hi[d] - scene->lo[d]) * sim->g.cells + 8;
-    for (int f = 0; f < FIELDS; f++) fields += field_used(sim->setup, f);
-    return nodes * (sizeof(Line) + 8.0 * DIM * (scene->problem->body != NULL)) +
+    for (int f = 0; f < FIELDS; f++) fields += field_used(sim, f);
+    return nodes * ((double)(sizeof(Line) + sim->method.node_bytes) +
+                    8.0 * DIM * (scene->problem->body != NULL)) +
            particles * 8 * (fields + 2 * DIM + 1);
 }
 

@@ -125,7 +125,7 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
         if (force) book_forces(sim, dt * scale);
         grid_fold(sim);
     }
-    if (sim->method.repair) sim->method.repair(sim);
+    if (sim->method.repair) sim->method.repair(sim, dt * scale);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0))

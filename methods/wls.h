@@ -14,7 +14,7 @@
 
 #include "../common/sim.h"
 
-/* Parameters of wls and wls2, in the order of their lists. */
+/* Parameters of wls, wls2 and ge_wls, in the order of their lists. */
 enum {
     P_STRESS,
     P_QUADRATURE,
@@ -22,17 +22,20 @@ enum {
     P_SPURIOUS,
     P_RETURN,
     P_AVERAGE,
+    P_MASS,
+    P_HERMITE,
     P_TRIGGER,
     P_SURFACE_PER_CELL
 };
 enum { STRESS_LINEAR, STRESS_C0 };
 enum { QUADRATURE_CENTROID, QUADRATURE_EXACT };
-enum { DISTANCE_WEIGHTED_MEAN, DISTANCE_NORMALS, DISTANCE_EXACT };
+enum { DISTANCE_WEIGHTED_MEAN, DISTANCE_NORMALS, DISTANCE_CURVED, DISTANCE_EXACT };
 enum { SPURIOUS_CONSTANT, SPURIOUS_EXTRAPOLATE };
 enum { RETURN_LINEAR, RETURN_SPLINE };
 enum { AVERAGE_WEIGHTED, AVERAGE_LITERAL };
+enum { MASS_LUMPED, MASS_CORRECTED };
 
-enum { CORNERS = 1 << DIM, PAIRS = DIM * (DIM + 1) / 2 };
+enum { CORNERS = 1 << DIM, PAIRS = DIM * (DIM + 1) / 2, NEIGHBOURS = IN_THIS_DIM(3, 9, 27) };
 
 /* Lines of a node. Before the solution: moments, then loads of all quantities times 1, r_0, r_1,
  * ...; after it the coefficients c0, c_0, c_1, ... stand where the loads were. */
@@ -51,10 +54,17 @@ enum {
     QUANTITIES = Q_SIGMA + PAIRS
 };
 
-/* Lanes of sums over surface points, all times the tent: 1, r_d, r . n. */
-enum { K_ONE, K_FIRST, K_NORMAL = K_FIRST + DIM };
+/* Lanes of sums over surface points, all times the tent: 1, r_d, n_d, r . n in one line; r_d r_e
+ * (d <= e) and r_d n_e in a second. */
+enum { K_ONE, K_FIRST, K_NORMAL = K_FIRST + DIM, K_ALONG = K_NORMAL + DIM };
+enum { K_RR, K_RN = K_RR + PAIRS };
 
-_Static_assert(M_BETA < (int)LANES && QUANTITIES <= (int)LANES && K_NORMAL < (int)LANES, "lanes");
+/* Lanes of the mass correction: a0, M a0, row sum of M. */
+enum { I_A, I_MA = I_A + DIM, I_M = I_MA + DIM };
+
+_Static_assert(M_BETA < (int)LANES && QUANTITIES <= (int)LANES && K_ALONG < (int)LANES &&
+                   K_RN + NMAT <= (int)LANES && I_M < (int)LANES,
+               "lanes");
 
 /* Number of the pair (d, e), d <= e, in row order. */
 static inline int pair(int d, int e)
@@ -63,13 +73,15 @@ static inline int pair(int d, int e)
 }
 
 typedef struct Wls {
-    bool linear, exact, extrapolate, literal; /* choices: see the parameters */
+    bool linear, exact, extrapolate, literal, corrected; /* choices: see the parameters */
     int distance_by;
+    double hermite; /* g^2: weight of gradients in the fit of v */
     double trigger;
     double inside;       /* nodes with more beta are inside, eq 14 */
     double surface_beta; /* beta of a surface point: 1, less where they are denser */
     Line (*fit)[FIT];    /* [nodes] */
-    Line *skin;          /* [nodes] sums over surface points */
+    Line (*skin)[2];     /* [nodes] sums over surface points */
+    Line *inertia;       /* [nodes] of the mass correction, or NULL */
     double *most;        /* [nodes] largest W of any particle */
     double *distance;    /* [nodes] [cells] from the surface, > 0 inside */
     unsigned char *good; /* [nodes] 1: alpha of eqs 19-21 */
@@ -81,15 +93,30 @@ static inline Wls *wls_of(const Sim *sim)
     return sim->own;
 }
 
+/* Is node `at` good, with mass? */
+static inline bool wls_is_sound(const Sim *sim, size_t at)
+{
+    const Wls *w = sim->own;
+    return w->good[at] && sim->g.node[at][0] > sim->mass_cut;
+}
+
 /* Moments, loads, largest weights and surface sums of all live nodes, symmetry included. */
 void wls_deposit(Sim *sim, double t, bool force);
 
-/* Coefficients of one node's functions in place of its loads. Returns false if it fell back to c0:
- * no particle within the trigger weight, or moments that do not determine a plane. */
-bool wls_solve(Line fit[FIT], bool near);
+/* Coefficients of one node's functions in place of its loads. `hermite` = g^2 > 0: the loads of v
+ * hold g^2 h L, too. Returns false if the node fell back to c0: no particle within the trigger
+ * weight, or moments that do not determine a plane. */
+bool wls_solve(Line fit[FIT], bool near, double hermite);
 
 /* Surface point p of a chunk to the surface sums of its 2^DIM nodes. */
 void wls_skin_point(Sim *sim, const Chunk *c, int p);
+
+/* The surface near a node, from its surface sums: mean outward normal, and curvature [1/cell]
+ * (> 0: convex), 0 where the points do not tell. False: nothing of the kind is known. */
+typedef struct Bend {
+    double normal[DIM], kappa;
+} Bend;
+bool wls_bend(const Line skin[2], Bend *out);
 
 /* Signed distances of the live nodes of one row. */
 void wls_distances(Sim *sim, int row, double t);
@@ -101,21 +128,30 @@ void wls_integrate(Sim *sim);
 bool wls_mirrored_cell(const Grid *g, int axis, int i);
 
 /* Points and weights (fractions of a cell) that integrate over the part of a cell where the
- * distance, given at its corners (bit d of the number: far side of axis d), is positive. Returns
- * their number. */
+ * distance, given at its corners (bit d of the number: far side of axis d), is positive; `bend` of
+ * the corners, or NULL: straight. Returns their number. */
 enum { MAX_POINTS = 18 };
-int wls_cell_points(const double distance[CORNERS], bool exact, double xi[MAX_POINTS][DIM],
-                    double weight[MAX_POINTS]);
+int wls_cell_points(const double distance[CORNERS], const Bend *bend, bool exact,
+                    double xi[MAX_POINTS][DIM], double weight[MAX_POINTS]);
+
+/* M a0 and the row sums of M, M_ij = sum_q S_iq S_jq rho_q V_q over the same points [kg], into
+ * `inertia`. */
+void wls_mass_times(Sim *sim);
+
+/* Accelerations corrected towards the consistent mass matrix: a = 2 a0 - D^-1 M a0 at good nodes,
+ * after symmetry; written back as internal force. Then v of a node is to lag behind v + dt a. */
+void wls_correct(Sim *sim);
+void wls_hold_back(const Sim *sim, size_t at, const int index[DIM], double dt, double v[DIM]);
 
 /* Velocities, spurious and massless nodes of one row, after symmetry. */
-void wls_repair_row(Sim *sim, int row);
+void wls_repair_row(Sim *sim, int row, double dt);
 
 /* Stages of Method (method.h), shared by all settings. */
 bool wls_make(Sim *sim);
 void wls_free(Sim *sim);
 void wls_adapt(const double par[], Method *own);
 void wls_assemble(Sim *sim, double t, bool force);
-void wls_repair(Sim *sim);
+void wls_repair(Sim *sim, double dt);
 void wls_patches(const Sim *sim, PatchVisit *visit, void *own);
 
 #endif

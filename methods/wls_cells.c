@@ -21,11 +21,12 @@ static int line_points(const double d[2], bool exact, double x[][2], double weig
     return n;
 }
 
-static int square_points(const double d[4], bool exact, double x[][2], double weight[])
+static int square_points(const double d[4], const Curved *curved, bool exact, double x[][2],
+                         double weight[])
 {
     Polygon piece[MAX_PIECES];
     int n = 0;
-    const int pieces = square_pieces(d, piece);
+    const int pieces = square_pieces(d, curved, piece);
     for (int k = 0; k < pieces; k++) {
         const double area = polygon_area(&piece[k], x[n]);
         if (!(area > 0)) continue;
@@ -35,18 +36,27 @@ static int square_points(const double d[4], bool exact, double x[][2], double we
     return n;
 }
 
-int wls_cell_points(const double distance[CORNERS], bool exact, double xi[MAX_POINTS][DIM],
-                    double weight[MAX_POINTS])
+int wls_cell_points(const double distance[CORNERS], const Bend *bend, bool exact,
+                    double xi[MAX_POINTS][DIM], double weight[MAX_POINTS])
 {
     double x[MAX_POINTS][2] = {{0}}, d[4] = {-1, -1, -1, -1};
-    for (int k = 0; k < 4 && k < CORNERS; k++) d[k] = distance[k];
-    const int n = DIM == 1 ? line_points(d, exact, x, weight) : square_points(d, exact, x, weight);
+    Curved curved = {{0}, {{0}}};
+    for (int k = 0; k < 4 && k < CORNERS; k++) {
+        d[k] = distance[k];
+        if (bend) curved.kappa[k] = bend[k].kappa;
+        for (int a = 0; a < 2 && bend; a++) curved.normal[k][a] = bend[k].normal[a % DIM];
+    }
+    const int n = DIM == 1 ? line_points(d, exact, x, weight)
+                           : square_points(d, bend ? &curved : NULL, exact, x, weight);
     for (int q = 0; q < n; q++)
         for (int a = 0; a < DIM; a++) xi[q][a] = x[q][a % 2];
     return n;
 }
 
 static const double centre[3] = {0.5, 0.5, 0.5};
+
+/* What is summed over the points of all cells. */
+typedef enum { INTEGRATE, MULTIPLY } Task;
 
 /* A point of a cell: weights of its corners there. */
 typedef struct Shape {
@@ -108,28 +118,49 @@ static inline void add_point(Sim *sim, const size_t corner[CORNERS], const Shape
     }
 }
 
-static void add_cell(Sim *sim, const size_t corner[CORNERS], int mask, const Shape *middle,
-                     long *lost)
+/* The same point's share of M a0 and of the row sums. */
+static inline void multiply_point(Wls *w, const size_t corner[CORNERS], const Shape *shape,
+                                  double mass)
+{
+    Line mean = {0}, add = {0};
+    for (int k = 0; k < CORNERS; k++) mean += shape->S[k] * w->inertia[corner[k]];
+    for (int a = 0; a < DIM; a++) add[I_MA + a] = mass * mean[I_A + a];
+    add[I_M] = mass;
+    for (int k = 0; k < CORNERS; k++) w->inertia[corner[k]] += shape->S[k] * add;
+}
+
+static inline void take_point(Sim *sim, const size_t corner[CORNERS], const double xi[DIM],
+                              const Shape *shape, double volume, Task task, long *lost)
+{
+    Line value;
+    if (!value_at(wls_of(sim), corner, xi, shape, &value))
+        *lost += task == INTEGRATE;
+    else if (task == INTEGRATE)
+        add_point(sim, corner, shape, value, volume);
+    else
+        multiply_point(wls_of(sim), corner, shape, value[Q_RHO] * volume * pow(sim->dx, DIM));
+}
+
+static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, const Shape *middle,
+                             Task task, long *lost)
 {
     Wls *w = wls_of(sim);
     double xi[MAX_POINTS][DIM], weight[MAX_POINTS], d[CORNERS];
+    Bend bend[CORNERS];
     Shape shape;
-    Line value;
     if (mask == (1 << CORNERS) - 1) {
-        if (value_at(w, corner, centre, middle, &value))
-            add_point(sim, corner, middle, value, 1);
-        else
-            ++*lost;
+        take_point(sim, corner, centre, middle, 1, task, lost);
         return;
     }
-    for (int k = 0; k < CORNERS; k++) d[k] = w->distance[corner[k]];
-    const int n = wls_cell_points(d, w->exact, xi, weight);
+    const bool curved = w->distance_by == DISTANCE_CURVED;
+    for (int k = 0; k < CORNERS; k++) {
+        d[k] = w->distance[corner[k]];
+        if (curved) wls_bend(w->skin[corner[k]], &bend[k]);
+    }
+    const int n = wls_cell_points(d, curved ? bend : NULL, w->exact, xi, weight);
     for (int q = 0; q < n; q++) {
         shape_at(xi[q], &shape);
-        if (value_at(w, corner, xi[q], &shape, &value))
-            add_point(sim, corner, &shape, value, weight[q]);
-        else
-            ++*lost;
+        take_point(sim, corner, xi[q], &shape, weight[q], task, lost);
     }
 }
 
@@ -143,7 +174,7 @@ bool wls_mirrored_cell(const Grid *g, int axis, int i)
 }
 
 /* The cells whose first node lies in `row`. */
-static void add_row(Sim *sim, int row)
+static inline void take_row(Sim *sim, int row, Task task)
 {
     const Grid *g = &sim->g;
     Wls *w = wls_of(sim);
@@ -173,13 +204,13 @@ static void add_row(Sim *sim, int row)
             mask |= (w->distance[corner[k]] > 0) << k;
         }
         if (mask && !wls_mirrored_cell(g, 0, i))
-            add_cell(sim, corner, mask, &middle, &w->fallbacks[row]);
+            take_cell(sim, corner, mask, &middle, task, &w->fallbacks[row]);
     }
 }
 
 /* Even rows of cells, then odd ones: two of one parity share no node. (In 3D planes take turns,
  * too.) */
-void wls_integrate(Sim *sim)
+static inline void take_all(Sim *sim, Task task)
 {
     const Grid *g = &sim->g;
     for (int turn = 0; turn < CORNERS / 2; turn++) {
@@ -190,7 +221,17 @@ void wls_integrate(Sim *sim)
                 own |= (rest % g->n[d] & 1) << (d - 1);
                 rest /= g->n[d];
             }
-            if (own == turn && g->lo[row] < g->hi[row]) add_row(sim, row);
+            if (own == turn && g->lo[row] < g->hi[row]) take_row(sim, row, task);
         }
     }
+}
+
+void wls_integrate(Sim *sim)
+{
+    take_all(sim, INTEGRATE);
+}
+
+void wls_mass_times(Sim *sim)
+{
+    take_all(sim, MULTIPLY);
 }

@@ -19,8 +19,9 @@ typedef struct Kernel {
 typedef struct Deposit {
     Kernel kernel[DIM];
     Field T[NMAT], body[DIM], quantity[LANES];
-    Line A[CHUNK];    /* quantities by particle */
-    Line x[CHUNK][3]; /* weights of the moments on axis 0 */
+    Line A[CHUNK];      /* quantities by particle */
+    Line B[CHUNK][DIM]; /* loads of the slopes besides W r f: W g^2 h L for v */
+    Line x[CHUNK][3];   /* weights of the moments on axis 0 */
 } Deposit;
 
 /* Which table of an axis a lane of the moments takes. */
@@ -116,6 +117,17 @@ static void load_quantities(const Sim *sim, const Chunk *c, double t, bool force
         for (int l = 0; l < LANES; l++) w->A[p][l] = w->quantity[l][p];
 }
 
+/* The particle's gradient is a sample of the slopes of v: g^2 h^2 |c - L|^2 joins the squares. */
+static void load_gradients(const Sim *sim, const Chunk *c, double hermite, Deposit *w)
+{
+    const double scale = hermite * sim->dx; /* L by the cell */
+    for (int p = 0; p < CHUNK; p++)
+        for (int d = 0; d < DIM; d++) {
+            w->B[p][d] = (Line){0};
+            for (int a = 0; a < DIM; a++) w->B[p][d][Q_V + a] = scale * c->L[a * DIM + d][p];
+        }
+}
+
 static inline size_t first_of(const Grid *g, const Kernel k[DIM], int p)
 {
     size_t row = 0;
@@ -132,8 +144,9 @@ static inline __attribute__((always_inline)) Line lanes(const Kernel *k, int nod
 }
 
 /* Particle p to row r of its nodes, three of them. */
-static inline __attribute__((always_inline)) void
-add_to_row(const Deposit *w, int p, int r, const MomentPattern *q, Line fit[3][FIT], double most[3])
+static inline __attribute__((always_inline)) void add_to_row(const Deposit *w, int p, int r,
+                                                             const MomentPattern *q, bool hermite,
+                                                             Line fit[3][FIT], double most[3])
 {
     const Kernel *k = w->kernel;
     const Line A = w->A[p];
@@ -151,20 +164,22 @@ add_to_row(const Deposit *w, int p, int r, const MomentPattern *q, Line fit[3][F
         fit[i][FIT_SLOPE] += (k[0].off[p] - (i - 1)) * load;
         for (int d = 1; d < DIM; d++)
             fit[i][FIT_SLOPE + d] += (k[d].off[p] - ((d == 1 ? r % 3 : r / 3) - 1)) * load;
+        for (int d = 0; d < DIM && hermite; d++) fit[i][FIT_SLOPE + d] += weight * w->B[p][d];
         most[i] = weight > before ? weight : before;
     }
 }
 
 /* Particles from <= p < to, which see the same nodes: summed in registers, a row at a time. */
-static inline void scatter_run(const Grid *g, Wls *wls, const Deposit *w, int from, int to,
-                               const MomentPattern *q)
+static inline __attribute__((always_inline)) void scatter_run(const Grid *g, Wls *wls,
+                                                              const Deposit *w, int from, int to,
+                                                              const MomentPattern *q, bool hermite)
 {
     const size_t first = first_of(g, w->kernel, from);
     for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? 3 : 9); r++) {
         const size_t at = first + row_offset(g, 3, r);
         Line fit[3][FIT] = {{{0}}};
         double most[3] = {0};
-        for (int p = from; p < to; p++) add_to_row(w, p, r, q, fit, most);
+        for (int p = from; p < to; p++) add_to_row(w, p, r, q, hermite, fit, most);
         for (int i = 0; i < 3; i++) {
             double *before = &wls->most[at + (size_t)i];
             for (int l = 0; l < FIT; l++) wls->fit[at + (size_t)i][l] += fit[i][l];
@@ -173,18 +188,19 @@ static inline void scatter_run(const Grid *g, Wls *wls, const Deposit *w, int fr
     }
 }
 
-static inline void scatter_one(const Grid *g, Wls *wls, const Deposit *w, int p,
-                               const MomentPattern *q)
+static inline __attribute__((always_inline)) void
+scatter_one(const Grid *g, Wls *wls, const Deposit *w, int p, const MomentPattern *q, bool hermite)
 {
     const size_t first = first_of(g, w->kernel, p);
     for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? 3 : 9); r++) {
         const size_t at = first + row_offset(g, 3, r);
-        add_to_row(w, p, r, q, wls->fit + at, wls->most + at);
+        add_to_row(w, p, r, q, hermite, wls->fit + at, wls->most + at);
     }
 }
 
 /* Particles are sorted by their nearest node: several in a row see the same nodes. */
-static void scatter(const Grid *g, Wls *wls, Deposit *w, const MomentPattern *q)
+static inline __attribute__((always_inline)) void scatter(const Grid *g, Wls *wls, Deposit *w,
+                                                          const MomentPattern *q, bool hermite)
 {
     const bool runs = 3 * FIT * (int)sizeof(Line) <= (int)REGISTERS * VECTOR_BYTES;
     const Kernel *k = w->kernel;
@@ -195,9 +211,9 @@ static void scatter(const Grid *g, Wls *wls, Deposit *w, const MomentPattern *q)
         for (to = from + 1; to < CHUNK && same; to += same)
             for (int d = 0; d < DIM; d++) same &= k[d].base[to] == k[d].base[from];
         if (runs)
-            scatter_run(g, wls, w, from, to, q);
+            scatter_run(g, wls, w, from, to, q, hermite);
         else
-            scatter_one(g, wls, w, from, q);
+            scatter_one(g, wls, w, from, q, hermite);
     }
 }
 
@@ -210,7 +226,11 @@ static void deposit_chunk(Sim *sim, int k, double t, bool force, Deposit *w)
         make_kernel(c.x[d], sim->g.cells, sim->g.origin[d], &w->kernel[d]);
     weigh(wls, &c, &w->kernel[0]);
     load_quantities(sim, &c, t, force, w);
-    scatter(&sim->g, wls, w, &q);
+    if (wls->hermite > 0) {
+        load_gradients(sim, &c, wls->hermite, w);
+        scatter(&sim->g, wls, w, &q, true);
+    } else
+        scatter(&sim->g, wls, w, &q, false);
     for (int p = 0; sim->surface && p < CHUNK; p++)
         if (c.id[p] >= 0 && !(c.V0[p] > 0)) wls_skin_point(sim, &c, p);
 }
@@ -221,7 +241,7 @@ static void clear_row(const Grid *g, Wls *w, int row)
     const Line zero = g->zero;
     for (size_t at = start + (size_t)g->lo[row]; at < start + (size_t)g->hi[row]; at++) {
         for (int k = 0; k < FIT; k++) w->fit[at][k] = zero;
-        if (w->skin[at][K_ONE] > 0) w->skin[at] = zero; /* few nodes */
+        if (w->skin[at][0][K_ONE] > 0) w->skin[at][0] = w->skin[at][1] = zero; /* few nodes */
         w->most[at] = 0;
     }
 }
@@ -229,17 +249,21 @@ static void clear_row(const Grid *g, Wls *w, int row)
 /* Signs of a mirrored particle's moments, quantities and surface sums, for a mirror across `axis`.
  */
 typedef struct Parity {
-    Line moments, value, skin;
+    Line moments, value, skin[2];
 } Parity;
 
 static Parity parity_of(int axis)
 {
     Parity q;
-    for (int l = 0; l < LANES; l++) q.moments[l] = q.value[l] = q.skin[l] = 1;
-    q.moments[M_FIRST + axis] = q.value[Q_V + axis] = q.value[Q_FORCE + axis] =
-        q.skin[K_FIRST + axis] = -1;
-    for (int d = 0; d < DIM; d++)
-        if (d != axis) q.moments[M_SECOND + pair(d, axis)] = q.value[Q_SIGMA + pair(d, axis)] = -1;
+    for (int l = 0; l < LANES; l++) q.moments[l] = q.value[l] = q.skin[0][l] = q.skin[1][l] = 1;
+    q.moments[M_FIRST + axis] = q.value[Q_V + axis] = q.value[Q_FORCE + axis] = -1;
+    q.skin[0][K_FIRST + axis] = q.skin[0][K_NORMAL + axis] = -1;
+    for (int d = 0; d < DIM; d++) {
+        if (d == axis) continue;
+        q.moments[M_SECOND + pair(d, axis)] = q.value[Q_SIGMA + pair(d, axis)] = -1;
+        q.skin[1][K_RR + pair(d, axis)] = -1;
+        q.skin[1][K_RN + d * DIM + axis] = q.skin[1][K_RN + axis * DIM + d] = -1;
+    }
     return q;
 }
 
@@ -254,7 +278,7 @@ static void fold_pair(Sim *sim, const Mirror *m, size_t ghost, size_t image, int
     for (int d = 0; d < DIM; d++)
         w->fit[image][FIT_SLOPE + d] +=
             (d == m->axis ? -1.0 : 1.0) * q.value * w->fit[ghost][FIT_SLOPE + d];
-    w->skin[image] += q.skin * w->skin[ghost];
+    for (int k = 0; k < 2; k++) w->skin[image][k] += q.skin[k] * w->skin[ghost][k];
     w->most[image] = w->most[ghost] > w->most[image] ? w->most[ghost] : w->most[image];
 }
 

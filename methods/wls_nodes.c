@@ -3,8 +3,6 @@
  * gave mass. Neighbours beyond a symmetry line are images. */
 #include "wls.h"
 
-enum { NEIGHBOURS = IN_THIS_DIM(3, 9, 27) };
-
 /* Sums over the good neighbours of a node. */
 typedef struct Around {
     double count, massive; /* good ones, and those of them with mass */
@@ -51,12 +49,17 @@ static Around look_around(const Sim *sim, const int index[DIM])
     return out;
 }
 
-/* f_i = m_i sum f_j / sum m_j; as printed, the mean of the f_j, it blows up at once. */
-static void average_force(const Wls *w, Line *node, const Around *n)
+/* f_i = m_i sum f_j / sum m_j; as printed, the mean of the f_j, it blows up at once. With a mass
+ * correction body forces are in it, which would else be corrected at good nodes alone. */
+static void average_force(const Sim *sim, size_t at, Line *node, const Around *n)
 {
-    for (int a = 0; a < DIM; a++)
-        (*node)[FLUX + a] =
+    const Wls *w = sim->own;
+    const double *own = w->corrected && sim->g.force ? &sim->g.force[at * DIM] : NULL;
+    for (int a = 0; a < DIM; a++) {
+        const double inner =
             w->literal ? n->inner[a] / n->massive : (*node)[0] * n->inner[a] / n->mass;
+        (*node)[FLUX + a] = inner + (own ? (*node)[0] * n->outer[a] / n->mass - own[a] : 0);
+    }
 }
 
 /* A token of mass, so that the node moves with a = sum f / sum m of its neighbours. */
@@ -72,7 +75,7 @@ static void move_along(Sim *sim, size_t at, Line *node, const Around *n)
     }
 }
 
-static void repair_node(Sim *sim, size_t at, const int index[DIM], long *fallbacks)
+static void repair_node(Sim *sim, size_t at, const int index[DIM], double dt, long *fallbacks)
 {
     const Wls *w = wls_of(sim);
     Line *node = &sim->g.node[at];
@@ -84,13 +87,14 @@ static void repair_node(Sim *sim, size_t at, const int index[DIM], long *fallbac
         for (int a = 0; a < DIM && w->extrapolate && !w->good[at] && n.count > 0; a++)
             v[a] = n.v[a] / n.count;
         if (light && used && n.massive > 0) move_along(sim, at, node, &n);
-        if (!light && n.massive > 0) average_force(w, node, &n);
+        if (!light && n.massive > 0) average_force(sim, at, node, &n);
         *fallbacks += used && !(n.massive > 0);
     }
+    if (w->corrected && (*node)[0] > sim->mass_cut) wls_hold_back(sim, at, index, dt, v);
     for (int a = 0; a < DIM; a++) (*node)[1 + a] = (*node)[0] * v[a];
 }
 
-void wls_repair_row(Sim *sim, int row)
+void wls_repair_row(Sim *sim, int row, double dt)
 {
     const Grid *g = &sim->g;
     int index[DIM], rest = row;
@@ -100,6 +104,6 @@ void wls_repair_row(Sim *sim, int row)
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)index[0];
         for (int d = 0; d < DIM; d++) sign[d] = 1;
         if (g->nmirror) ghost = grid_image(g, index, sign) != at;
-        if (!(ghost > 0)) repair_node(sim, at, index, &wls_of(sim)->fallbacks[row]);
+        if (!(ghost > 0)) repair_node(sim, at, index, dt, &wls_of(sim)->fallbacks[row]);
     }
 }

@@ -17,15 +17,23 @@ static void show_polygon(const Sim *sim, const int cell[DIM], const Polygon *p, 
 static void show_cell(const Sim *sim, const int cell[DIM], size_t at, size_t up, PatchVisit *visit,
                       void *own)
 {
-    static const Polygon whole = {4, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    static const Polygon whole = {4, false, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     const double *distance = wls_of(sim)->distance;
     const double d[4] = {distance[at], distance[at + 1], distance[at + up], distance[at + up + 1]};
     Polygon piece[MAX_PIECES];
+    Curved curved = {{0}, {{0}}};
     if (d[0] > 0 && d[1] > 0 && d[2] > 0 && d[3] > 0) {
         show_polygon(sim, cell, &whole, false, visit, own);
         return;
     }
-    const int pieces = square_pieces(d, piece);
+    const bool known = wls_of(sim)->distance_by == DISTANCE_CURVED;
+    for (int k = 0; k < 4 && known; k++) {
+        Bend b;
+        wls_bend(wls_of(sim)->skin[at + (size_t)(k & 1) + (k > 1 ? up : 0)], &b);
+        curved.kappa[k] = b.kappa;
+        for (int a = 0; a < 2; a++) curved.normal[k][a] = b.normal[a % DIM];
+    }
+    const int pieces = square_pieces(d, known ? &curved : NULL, piece);
     for (int k = 0; k < pieces; k++) show_polygon(sim, cell, &piece[k], true, visit, own);
 }
 

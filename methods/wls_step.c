@@ -23,6 +23,8 @@ bool wls_make(Sim *sim)
     w->distance_by = (int)par[P_DISTANCE];
     w->extrapolate = par[P_SPURIOUS] > SPURIOUS_CONSTANT;
     w->literal = par[P_AVERAGE] > AVERAGE_WEIGHTED;
+    w->corrected = par[P_MASS] > MASS_LUMPED;
+    w->hermite = par[P_HERMITE] * par[P_HERMITE];
     w->trigger = par[P_TRIGGER];
     w->inside = 2 * sim->setup->ppc / CORNERS; /* the paper's 2, at its two particles an axis */
     const double denser = sim->method.surface_per_cell / pow(sim->setup->ppc, 1.0 / DIM);
@@ -30,24 +32,27 @@ bool wls_make(Sim *sim)
     w->fit = nodes_of(n, sizeof *w->fit);
     w->skin = nodes_of(n, sizeof *w->skin);
     if (w->skin) memset(w->skin, 0, (n + 1) * sizeof *w->skin);
+    if (w->corrected) w->inertia = nodes_of(n, sizeof *w->inertia);
     w->most = nodes_of(n, sizeof *w->most);
     w->distance = nodes_of(n, sizeof *w->distance);
     w->good = nodes_of(n, 1);
     w->fallbacks = calloc((size_t)g->rows, sizeof *w->fallbacks);
-    return w->fit && w->skin && w->most && w->distance && w->good && w->fallbacks;
+    return w->fit && w->skin && w->most && w->distance && w->good && w->fallbacks &&
+           (w->inertia || !w->corrected);
 }
 
 void wls_free(Sim *sim)
 {
     Wls *w = wls_of(sim);
-    free(w->fit), free(w->skin), free(w->most), free(w->distance), free(w->good),
-        free(w->fallbacks);
+    free(w->fit), free(w->skin), free(w->inertia), free(w->most), free(w->distance), free(w->good);
+    free(w->fallbacks);
     free(w);
 }
 
 void wls_adapt(const double par[], Method *own)
 {
     own->surface_per_cell = par[P_SURFACE_PER_CELL];
+    own->keeps_L = par[P_HERMITE] > 0;
     if (par[P_RETURN] < RETURN_SPLINE) return;
     own->width = spline_width;
     own->shape = spline_shape;
@@ -62,7 +67,7 @@ static void solve_row(Sim *sim, int row)
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
         w->good[at] = w->most[at] > w->trigger;
-        const bool whole = wls_solve(w->fit[at], w->good[at]);
+        const bool whole = wls_solve(w->fit[at], w->good[at], w->hermite);
         w->fallbacks[row] += !whole && w->fit[at][FIT_MOMENTS][M_BETA] > 0;
     }
 }
@@ -80,13 +85,13 @@ void wls_assemble(Sim *sim, double t, bool force)
     wls_integrate(sim);
 }
 
-void wls_repair(Sim *sim)
+void wls_repair(Sim *sim, double dt)
 {
     const Grid *g = &sim->g;
-
+    if (wls_of(sim)->corrected) wls_correct(sim);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0)) wls_repair_row(sim, row);
+        if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0)) wls_repair_row(sim, row, dt);
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row]) sim->fallbacks += wls_of(sim)->fallbacks[row];
 }

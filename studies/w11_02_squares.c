@@ -20,7 +20,7 @@ static void write_shapes(FILE *f)
     for (int s = 0; s < SHAPES; s++) {
         Polygon piece[MAX_PIECES];
         const double *d = shapes[s];
-        const int n = square_pieces(d, piece);
+        const int n = square_pieces(d, NULL, piece);
         for (int p = 0; p < n; p++)
             for (int k = 0; k <= piece[p].n; k++) { /* closed */
                 const double *x = piece[p].x[k % piece[p].n];
@@ -87,7 +87,7 @@ static double departure(const double d[4])
 {
     double sum[3], own[3] = {0, 0, 0}, worst = 0;
     Polygon piece[MAX_PIECES];
-    const int n = square_pieces(d, piece);
+    const int n = square_pieces(d, NULL, piece);
     by_hand(d, sum);
     for (int p = 0; p < n; p++) {
         double centre[2] = {0, 0};

@@ -23,7 +23,7 @@ enum { MONOMIALS = 6 };
 static void integrate(const double d[4], double sum[MONOMIALS])
 {
     double xi[MAX_POINTS][DIM], w[MAX_POINTS];
-    const int n = wls_cell_points(d, true, xi, w);
+    const int n = wls_cell_points(d, NULL, true, xi, w);
     for (int m = 0; m < MONOMIALS; m++) sum[m] = 0;
     for (int q = 0; q < n; q++) {
         const double x = xi[q][0], y = xi[q][1], f[MONOMIALS] = {1, x, y, x * x, x * y, y * y};
@@ -57,7 +57,7 @@ static void test_centroids(void)
             double d[4], exact[MONOMIALS], sum[3] = {0}, xi[MAX_POINTS][DIM], w[MAX_POINTS];
             random_cell(mask, d);
             integrate(d, exact);
-            const int n = wls_cell_points(d, false, xi, w);
+            const int n = wls_cell_points(d, NULL, false, xi, w);
             CU_ASSERT(n <= 2);
             for (int q = 0; q < n; q++) {
                 sum[0] += w[q];
@@ -87,7 +87,7 @@ static void test_known_shapes(void)
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         Polygon piece[MAX_PIECES];
         double sum[3] = {0}, c[2];
-        const int n = square_pieces(known[k].d, piece);
+        const int n = square_pieces(known[k].d, NULL, piece);
         CU_ASSERT_EQUAL(n, known[k].pieces);
         for (int q = 0; q < n; q++) {
             const double area = polygon_area(&piece[q], c);
@@ -137,7 +137,7 @@ static void test_fits(void)
             for (int d = 0; d <= DIM; d++) field[q][d] = random_in(-1, 1);
         sample(fit, samples, in_line, field);
         const bool fits = samples > DIM && !in_line;
-        CU_ASSERT_EQUAL(wls_solve(fit, true), fits);
+        CU_ASSERT_EQUAL(wls_solve(fit, true, 0), fits);
         for (int q = 0; q < QUANTITIES; q++)
             for (int d = 0; d <= DIM; d++) {
                 CU_ASSERT(isfinite(fit[FIT_VALUE + d][q]));
@@ -145,7 +145,7 @@ static void test_fits(void)
                 if (!fits && d) CHECK_CLOSE(fit[FIT_VALUE + d][q], 0, 0);
             }
         sample(fit, 8, false, field);
-        CU_ASSERT(!wls_solve(fit, false)); /* no particle near */
+        CU_ASSERT(!wls_solve(fit, false, 0)); /* no particle near */
     }
 }
 
@@ -168,10 +168,10 @@ static void surface_errors(int cells, const char *distance, double *error, doubl
                                  w->distance[up + 1]};
             double xi[MAX_POINTS][DIM], weight[MAX_POINTS];
             if (i < -g->origin[0] || row < -g->origin[1]) continue; /* beyond a symmetry line */
-            if (w->skin[at][K_ONE] > 0)
+            if (w->skin[at][0][K_ONE] > 0)
                 *error = fmax(*error, fabs(d[0] - sim_distance(t.sim, index, 0)));
             if (i + 1 >= g->hi[row] || i < g->lo[row + 1] || i + 1 >= g->hi[row + 1]) continue;
-            const int n = wls_cell_points(d, true, xi, weight);
+            const int n = wls_cell_points(d, NULL, true, xi, weight);
             for (int q = 0; q < n; q++) *area += weight[q] / cells / cells;
         }
     const double R = 0.5 + trial_displacement(&t, 0.5), Ro = 1 + trial_displacement(&t, 1);
