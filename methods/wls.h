@@ -82,6 +82,7 @@ typedef struct Wls {
     Line (*fit)[FIT];    /* [nodes] */
     Line (*skin)[2];     /* [nodes] sums over surface points */
     Line *inertia;       /* [nodes] of the mass correction, or NULL */
+    double *cell_mass;   /* [nodes] of the full cell above a node [kg], with it */
     double *most;        /* [nodes] largest W of any particle */
     double *distance;    /* [nodes] [cells] from the surface, > 0 inside */
     unsigned char *good; /* [nodes] 1: alpha of eqs 19-21 */

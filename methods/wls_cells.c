@@ -92,7 +92,7 @@ static inline bool value_at(const Wls *w, const size_t corner[CORNERS], const do
         sum += S * f;
         total += S;
     }
-    if (total > 0) *out = sum / total;
+    if (total > 0) *out = total < 1 || total > 1 ? sum / total : sum;
     return total > 0;
 }
 
@@ -141,6 +141,22 @@ static inline void take_point(Sim *sim, const size_t corner[CORNERS], const doub
         multiply_point(wls_of(sim), corner, shape, value[Q_RHO] * volume * pow(sim->dx, DIM));
 }
 
+/* A full cell has one point, in the middle; its mass is kept for the products. */
+static inline void take_full(Sim *sim, const size_t corner[CORNERS], const Shape *middle, Task task,
+                             long *lost)
+{
+    Wls *w = wls_of(sim);
+    Line value;
+    if (task == MULTIPLY) {
+        multiply_point(w, corner, middle, w->cell_mass[corner[0]]);
+        return;
+    }
+    const bool known = value_at(w, corner, centre, middle, &value);
+    if (known) add_point(sim, corner, middle, value, 1);
+    if (w->corrected) w->cell_mass[corner[0]] = known ? value[Q_RHO] * pow(sim->dx, DIM) : 0;
+    *lost += !known;
+}
+
 static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, const Shape *middle,
                              Task task, long *lost)
 {
@@ -149,7 +165,7 @@ static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, c
     Bend bend[CORNERS];
     Shape shape;
     if (mask == (1 << CORNERS) - 1) {
-        take_point(sim, corner, centre, middle, 1, task, lost);
+        take_full(sim, corner, middle, task, lost);
         return;
     }
     const bool curved = w->distance_by == DISTANCE_CURVED;

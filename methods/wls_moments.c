@@ -16,6 +16,13 @@ typedef struct Kernel {
     Field table[KERNELS][3];
 } Kernel;
 
+/* Do the sums of a row of nodes fit into the registers? */
+enum { RUNS = 3 * FIT * (int)sizeof(Line) <= (int)REGISTERS * VECTOR_BYTES };
+
+/* The first half of a line, where the lanes of v are. */
+typedef double Half __attribute__((vector_size(LANES / 2 * sizeof(double)), may_alias));
+_Static_assert(Q_V + DIM <= LANES / 2, "lanes");
+
 typedef struct Deposit {
     Kernel kernel[DIM];
     Field T[NMAT], body[DIM], quantity[LANES];
@@ -164,7 +171,11 @@ static inline __attribute__((always_inline)) void add_to_row(const Deposit *w, i
         fit[i][FIT_SLOPE] += (k[0].off[p] - (i - 1)) * load;
         for (int d = 1; d < DIM; d++)
             fit[i][FIT_SLOPE + d] += (k[d].off[p] - ((d == 1 ? r % 3 : r / 3) - 1)) * load;
-        for (int d = 0; d < DIM && hermite; d++) fit[i][FIT_SLOPE + d] += weight * w->B[p][d];
+        for (int d = 0; d < DIM && hermite; d++)
+            if (RUNS)
+                fit[i][FIT_SLOPE + d] += weight * w->B[p][d];
+            else
+                *(Half *)&fit[i][FIT_SLOPE + d] += weight * *(const Half *)&w->B[p][d];
         most[i] = weight > before ? weight : before;
     }
 }
@@ -202,15 +213,14 @@ scatter_one(const Grid *g, Wls *wls, const Deposit *w, int p, const MomentPatter
 static inline __attribute__((always_inline)) void scatter(const Grid *g, Wls *wls, Deposit *w,
                                                           const MomentPattern *q, bool hermite)
 {
-    const bool runs = 3 * FIT * (int)sizeof(Line) <= (int)REGISTERS * VECTOR_BYTES;
     const Kernel *k = w->kernel;
     for (int p = 0; p < CHUNK; p++)
         for (int i = 0; i < 3; i++) w->x[p][i] = lanes(&k[0], i, p, q->e[0]);
     for (int from = 0, to; from < CHUNK; from = to) {
-        bool same = runs;
+        bool same = RUNS;
         for (to = from + 1; to < CHUNK && same; to += same)
             for (int d = 0; d < DIM; d++) same &= k[d].base[to] == k[d].base[from];
-        if (runs)
+        if (RUNS)
             scatter_run(g, wls, w, from, to, q, hermite);
         else
             scatter_one(g, wls, w, from, q, hermite);

@@ -32,20 +32,23 @@ bool wls_make(Sim *sim)
     w->fit = nodes_of(n, sizeof *w->fit);
     w->skin = nodes_of(n, sizeof *w->skin);
     if (w->skin) memset(w->skin, 0, (n + 1) * sizeof *w->skin);
-    if (w->corrected) w->inertia = nodes_of(n, sizeof *w->inertia);
+    if (w->corrected) {
+        w->inertia = nodes_of(n, sizeof *w->inertia);
+        w->cell_mass = nodes_of(n, sizeof *w->cell_mass);
+    }
     w->most = nodes_of(n, sizeof *w->most);
     w->distance = nodes_of(n, sizeof *w->distance);
     w->good = nodes_of(n, 1);
     w->fallbacks = calloc((size_t)g->rows, sizeof *w->fallbacks);
     return w->fit && w->skin && w->most && w->distance && w->good && w->fallbacks &&
-           (w->inertia || !w->corrected);
+           ((w->inertia && w->cell_mass) || !w->corrected);
 }
 
 void wls_free(Sim *sim)
 {
     Wls *w = wls_of(sim);
     free(w->fit), free(w->skin), free(w->inertia), free(w->most), free(w->distance), free(w->good);
-    free(w->fallbacks);
+    free(w->cell_mass), free(w->fallbacks);
     free(w);
 }
 
