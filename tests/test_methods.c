@@ -4,8 +4,7 @@
 #include <string.h>
 #include "../common/passes.h"
 #include "../common/scheme.h"
-#include "../methods/shapes.h"
-#include "../methods/transfers.h"
+#include "../methods/filters.h"
 #include "rig.h"
 
 static const Case blocks[] = {{1, "free_block", 200, 2, 0, NULL},
