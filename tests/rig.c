@@ -133,6 +133,14 @@ bool rig_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT
     return true;
 }
 
+bool rig_vary(Rig *r, int k)
+{
+    const Method *m = r->plan.setup.method;
+    const Param *p = k ? param_of(m, k == 1 ? "shape" : "order") : NULL;
+    if (p) r->plan.method_par[p - m->info.params] = k == 1 ? !(p->value > 0) : 3 - 1;
+    return !k || p;
+}
+
 bool rig_valid(const Method *m, Integrator i, bool refresh)
 {
     return (m->valid | (refresh ? m->valid_fresh : 0)) >> i & 1;

@@ -66,6 +66,9 @@ double rig_distance(const double *a, const double *b, int count, bool L);
 enum { VARIANTS = 3, VARIANT_TEXT = 128 };
 bool rig_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT]);
 
+/* The same for a scene made by hand. */
+bool rig_vary(Rig *r, int k);
+
 /* Is this pair stable without being told so? With refresh: with refresh=1. */
 bool rig_valid(const Method *m, Integrator i, bool refresh);
 
