@@ -16,7 +16,14 @@ unchanged() { # TEXT ARGUMENT...: one line with the text in it, status 2, nothin
     refused "new-method $*" 2 "$text" new-method "$@"
     ok "new-method $*: writes nothing" test "$before" = "$(cat methods/* | cksum)"
 }
-compile() { make -s -j"$(nproc)" OPT='-O1 -march=native -Wno-maybe-uninitialized' all >log 2>&1 || { head -n 20 log >&2; false; }; }
+compile() { # [TARGET]
+    make -s -j"$(nproc)" OPT='-O1 -march=native -Wno-maybe-uninitialized' "${1:-all}" >log 2>&1 ||
+        { head -n 20 log >&2; false; }
+}
+invariants() { # DIM: the tests of the core, which find it in the list of methods
+    compile "build/tests/core_$1d" || return 1
+    OMP_WAIT_POLICY=passive "build/tests/core_$1d" >log || { grep -A 3 'had failures' log >&2; false; }
+}
 
 rm -rf "$tree"
 mkdir -p "$tree"
@@ -36,6 +43,7 @@ ok "runs in 1D" grep -q ',ok,' <("$program" run bar --method rpic)
 ok "runs in 2D" grep -q ',ok,' <("$program" run ring --method rpic --cells 16)
 ok "stands in the ring's study" "$program" study w11_06_ring --quick --method rpic
 ok "with its rows" grep -q ',rpic,' build/out/quick/w11_06_ring.csv
+ok "every invariant holds for it in 2D" invariants 2
 unchanged "no method has" rpic
 unchanged "no method has" gimp
 unchanged "no method has" fem
