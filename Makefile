@@ -86,9 +86,9 @@ UNIT_TESTS  = $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD
               $(BUILD)/tests/wls $(BUILD)/tests/scenes
 WRONG_TEST  = bash tests/wrong_inputs.sh $(BUILD)/mpmlab $(BUILD)/tests
 FAULT_TEST  = bash tests/faults.sh $(BUILD)/mpmlab $(BUILD)/tests
-FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/%.o,fuzz_run fuzz_files fuzz_tools)
+FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/%.o,fuzz_run fuzz_sweep fuzz_files fuzz_tools)
 CORE_DIMS   = 1 2 3
-CORE_3      = main_3d rig twin twin_make $(patsubst %,test_%,twin shapes material exact)
+CORE_3      = main_3d rig twin twin_filter twin_make $(patsubst %,test_%,twin shapes material exact)
 CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
               $(patsubst %,test_%,invariants order dynamics spots rules status methods)
 CORE_2      = $(CORE_1)
@@ -147,7 +147,7 @@ bench: all $(BUILD)/tests/bench
 	@$(MAKE) -s BUILD=$(BUILD)/avx2 ARCH=-march=x86-64-v3 all
 	BUILD=$(BUILD) bash tests/bench.sh
 
-$(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,bench twin twin_make) \
+$(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,bench twin twin_filter twin_make) \
   $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
@@ -177,7 +177,7 @@ faults: all
 	$(FAULT_TEST) 100 long
 
 # Bytes that break a property of what reads input: SECONDS for each; corpora stay in build/fuzz.
-FUZZERS = run set case journal table append
+FUZZERS = run set case journal table append sweep
 SECONDS = 60
 
 fuzz:

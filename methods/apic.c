@@ -20,10 +20,7 @@ static void update(const Chunk *c, const Field sums[], double dt, unsigned take)
                 for (int p = 0; p < CHUNK; p++) c->L[a * DIM + b][p] = moment[b * DIM + a][p];
 }
 
-static const Param params[] = {{"shape", BY_SPLINE, 0, 1, "",
-                                "weights: quadratic spline folded at walls, or GIMP", "",
-                                "spline|gimp"},
-                               {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+static const Param params[] = {SHAPE_PARAM(BY_SPLINE), {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 const Method method_apic = {
     .info = {.name = "apic",

@@ -154,8 +154,14 @@ static inline void folded_shape(const Axis *axis, int width, const Field x, cons
     }
 }
 
-/* Values of `shape=spline|gimp`, the first parameter of methods that offer both. */
+/* `shape=spline|gimp`, the first parameter of methods that offer both. */
 enum { BY_SPLINE, BY_GIMP };
+
+#define SHAPE_PARAM(usual)                                                                         \
+    {                                                                                              \
+        "shape", usual, 0, 1, "", "weights: quadratic spline folded at walls, or GIMP", "",        \
+            "spline|gimp"                                                                          \
+    }
 
 static inline void choose_shape(const double par[], Method *own)
 {

@@ -8,10 +8,7 @@
 #include "shapes.h"
 #include "transfers.h"
 
-static const Param params[] = {{"shape", BY_SPLINE, 0, 1, "",
-                                "weights: quadratic spline folded at walls, or GIMP", "",
-                                "spline|gimp"},
-                               {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+static const Param params[] = {SHAPE_PARAM(BY_SPLINE), {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 const Method method_tpic = {
     .info = {.name = "tpic",

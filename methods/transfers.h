@@ -1,5 +1,5 @@
-/* transfers.h: what goes from a chunk to the grid and comes back: the deposits, updates and filters
- * that methods share. W07 eqs 2.1, 4.1-4.3; W11 eqs 26-30. */
+/* transfers.h: what goes from a chunk to the grid and comes back: the deposits and updates that
+ * methods share. W07 eqs 2.1, 4.1-4.3; W11 eqs 26-30. */
 #ifndef MPMLAB_TRANSFERS_H
 #define MPMLAB_TRANSFERS_H
 
@@ -87,24 +87,6 @@ static inline void pic_update(const Chunk *c, const Field sums[], double dt, uns
     if (take & TAKE_V && c->L[0]) keep_gradient(c, sums);
     take_position(c, sums, dt, take);
     if (take & TAKE_F) deform(c, sums, dt);
-}
-
-/* Behind a filter: its velocity stands in the lanes of a. */
-static inline void filtered_update(const Chunk *c, const Field sums[], double dt, unsigned take)
-{
-    if (take & TAKE_V)
-        for (int a = 0; a < DIM; a++)
-            for (int p = 0; p < CHUNK; p++) c->v[a][p] = sums[DIM + a][p];
-    take_position(c, sums, dt, take);
-    if (take & TAKE_F) deform(c, sums, dt);
-}
-
-/* I - (I - A)^k = sum_{l < k} c_l A^(l+1), c_l = (-1)^l C(k, l+1); returns k - 1. */
-static inline int binomial_filter(int k, double c[])
-{
-    c[0] = k;
-    for (int l = 1; l < k; l++) c[l] = -c[l - 1] * (k - l) / (l + 1);
-    return k - 1;
 }
 
 #endif

@@ -5,29 +5,14 @@
  * a, whose filter tends to the projection that removes the null space alone. In terms of the grid
  * velocity v = S+ V, with A = S+ S: S sum_{l<k} c_l A^l v, c_l = (-1)^l C(k, l+1).
  * Positions and gradient use the plain grid velocity. Order 1 is PIC. */
-#include "shapes.h"
-#include "transfers.h"
-
-enum { SHAPE, ORDER };
-
-static int filter(const double *par, double c[])
-{
-    return binomial_filter(1 + (int)par[ORDER], c);
-}
-
-static const Param params[] = {
-    [SHAPE] = {"shape", BY_GIMP, 0, 1, "", "weights: quadratic spline folded at walls, or GIMP", "",
-               "spline|gimp"},
-    [ORDER] = {"order", 1, 0, 7, "", "of the filter; each takes one more projection", "",
-               "1|2|3|4|5|6|7|8"},
-    {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+#include "filters.h"
 
 const Method method_xpic = {
     .info = {.name = "xpic",
              .label = "XPIC",
              .about = "PIC update of velocities that were filtered of the null space, order k",
              .source = "Hammerquist & Nairn 2017",
-             .params = params},
+             .params = filter_params},
     .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},
     .pic = true,
@@ -36,7 +21,7 @@ const Method method_xpic = {
     .shape = gimp_shape,
     .payload = mass_payload,
     .update = filtered_update,
-    .filter = filter,
+    .filter = filter_of_order,
     .filter_first = true,
     .adapt = choose_shape,
 };

@@ -115,3 +115,14 @@ void squeeze_add(Cases *list, const char *method, const char *field, int cells, 
         case_add(list, "run squeeze --method %s --cells %d --set field=%s --set particles=%d",
                  method, cells, field, n);
 }
+
+void plateau_add(Cases *list, const char *const names[], bool quick)
+{
+    for (; *names; names++) squeeze_add(list, *names, "quadratic", PLATEAU_CELLS, 1, quick);
+}
+
+double plateau_error(void)
+{
+    const double h = 1.0 / PLATEAU_CELLS;
+    return h * h / 6 / pow(1 + h, 2);
+}

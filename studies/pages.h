@@ -50,4 +50,10 @@ void part_path(char path[PATH_TEXT], const char *dir, const char *name, const ch
 void squeeze_add(Cases *list, const char *method, const char *field, int cells, int step,
                  bool quick);
 
+/* Figs 6 and 9 of W07: the quadratic field on 1/100 cells, by these methods (ended by NULL), one
+ * particle apart; and the error that the grid alone sets there, h^2/6/(1 + h)^2. */
+enum { PLATEAU_CELLS = 100 };
+void plateau_add(Cases *list, const char *const names[], bool quick);
+double plateau_error(void);
+
 #endif

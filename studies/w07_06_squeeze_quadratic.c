@@ -5,20 +5,16 @@
  * the projection's error is h^2/12 v'' = h^2/6 (Vshivkov's second term, eq. 2.2), relative to v at
  * the first interior node h^2/6/(1 + h)^2; at a whole number k per cell it is 1 + 1/(2 k^2) times
  * that. */
-#include <math.h>
 #include "pages.h"
-
-enum { CELLS = 100 };
 
 static void cases(Cases *list, bool quick)
 {
-    squeeze_add(list, "mpm", "quadratic", CELLS, 1, quick);
-    squeeze_add(list, "gimp", "quadratic", CELLS, 1, quick);
+    plateau_add(list, (const char *const[]){"mpm", "gimp", NULL}, quick);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
 {
-    const double h = 1.0 / CELLS, plateau = h * h / 6 / pow(1 + h, 2), at_10 = 1 + 0.5 / 100;
+    const double plateau = plateau_error(), at_10 = 1 + 0.5 / 100;
     Curve mpm, gimp;
     (void)dir;
     note_number(c, "plateau", plateau);

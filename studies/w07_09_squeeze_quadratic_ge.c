@@ -1,19 +1,15 @@
 /* w07_09_squeeze_quadratic_ge.c: the squeeze of fig. 6 with and without gradient enhancement: with
  * it the plateau is reached below one particle per cell. Wallstedt and Guilkey (2007), fig. 9. */
-#include <math.h>
 #include "pages.h"
-
-enum { CELLS = 100, METHODS = 4 };
-static const char *const methods[METHODS] = {"mpm", "gimp", "ge_mpm", "ge_gimp"};
 
 static void cases(Cases *list, bool quick)
 {
-    for (int m = 0; m < METHODS; m++) squeeze_add(list, methods[m], "quadratic", CELLS, 1, quick);
+    plateau_add(list, (const char *const[]){"mpm", "gimp", "ge_mpm", "ge_gimp", NULL}, quick);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
 {
-    const double h = 1.0 / CELLS, plateau = h * h / 6 / pow(1 + h, 2), at_10 = 1 + 0.5 / 100;
+    const double plateau = plateau_error(), at_10 = 1 + 0.5 / 100;
     Curve ge_mpm, ge_gimp;
     (void)dir;
     note_number(c, "plateau", plateau);

@@ -2,6 +2,8 @@
 # cli.sh PROGRAM FOLDER: drives the program as a user would, wrong inputs and killed studies included.
 # Writes below FOLDER only. Prints what failed, then "N passed, N failed"; status 1 if any did.
 set -u
+# shellcheck source=tests/checks.sh
+source "$(dirname "$0")/checks.sh"
 program=$(realpath "$1")
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$2"
@@ -9,37 +11,7 @@ work=$(mktemp -d "$(realpath "$2")/cli.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 cd "$work" || exit 1
-passed=0
-failed=0
 study=w07_05_squeeze_linear
-
-# ok NAME COMMAND...: the command must succeed.
-ok() {
-    local name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $name" >&2
-    fi
-}
-# run ARGUMENT...: leaves status, and files out and err.
-run() {
-    "$program" "$@" >out 2>err
-    status=$?
-}
-lines() { wc -l <"$1"; }
-# refused NAME STATUS TEXT ARGUMENT...: that status, no output, one line with the text in it.
-refused() {
-    local name=$1 want=$2 text=$3
-    shift 3
-    run "$@"
-    ok "$name: status $status, $(cat err)" test "$status" -eq "$want" -a ! -s out -a "$(lines err)" -eq 1
-    ok "$name: says '$text', not $(cat err)" grep -qF -- "$text" err
-}
-# untimed CSV: the table without its timing columns, which come last.
-untimed() { sed 's/\(,[^,]*\)\{3\}$//' "$1"; }
 
 # Wrong usage of every kind
 refused "no command" 2 "COMMAND"
@@ -287,5 +259,4 @@ fi
 refused "--vtk below a file" 1 "t.csv" run disk_impact --vtk t.csv/x
 
 ok "nothing half written is left" test -z "$(find . -name '*.tmp')"
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+verdict

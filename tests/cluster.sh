@@ -4,11 +4,12 @@
 # must be those of a plain run. Prints "N passed, N failed"; what is not installed is SKIPPED. Daemons are
 # stopped by the pids they wrote.
 set -u
+# shellcheck source=tests/checks.sh
+source "$(dirname "$0")/checks.sh"
 program=$(realpath "$1")
 mkdir -p "$2"
 work=$(mktemp -d "$(realpath "$2")/cluster.XXXXXX")
 slurm=$work/slurm
-passed=0 failed=0
 study=(w07_13_sine_bar --quick --method "gimp,ge_gimp")
 table=quick/w07_13_sine_bar.csv
 finish() {
@@ -25,17 +26,6 @@ trap finish EXIT
 trap 'exit 130' INT TERM
 cd "$work" || exit 1
 
-ok() {
-    local name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $name" >&2
-    fi
-}
-untimed() { sed 's/\(,[^,]*\)\{3\}$//' "$1"; }
 # collected NAME: the study's folder NAME has all rows, and they are the right ones
 collected() {
     local before after
@@ -115,5 +105,4 @@ else
     ok "slurm: status" test $? -eq 0
     collected array
 fi
-echo "cluster: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+verdict cluster

@@ -3,32 +3,27 @@
 # start a method, fill it in, build, run it, and find it in lists and in studies. Then what
 # new-method refuses. Prints what failed, then "N passed, N failed"; status 1 if any did.
 set -u
+# shellcheck source=tests/checks.sh
+source "$(dirname "$0")/checks.sh"
 unset MAKEFLAGS MFLAGS MAKEOVERRIDES # the copy is built with its own settings
 root=$(realpath "$(dirname "$0")/..")
 mkdir -p "$1"
 tree=$(realpath "$1")/tree
-passed=0 failed=0
-ok() { # NAME COMMAND...
-    local name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $name" >&2
-    fi
-}
-refused() { # TEXT ARGUMENT...: one line with the text in it, status 2, nothing written
-    local text=$1 before status
+unchanged() { # TEXT ARGUMENT...: one line with the text in it, status 2, nothing written
+    local text=$1 before
     shift
     before=$(cat methods/* | cksum)
-    "$program" new-method "$@" >out 2>err
-    status=$?
-    ok "new-method $*: status $status, $(cat err)" test $status -eq 2 -a ! -s out -a "$(wc -l <err)" -eq 1
-    ok "new-method $*: says '$text'" grep -qF -- "$text" err
+    refused "new-method $*" 2 "$text" new-method "$@"
     ok "new-method $*: writes nothing" test "$before" = "$(cat methods/* | cksum)"
 }
-compile() { make -s -j"$(nproc)" OPT='-O1 -march=native -Wno-maybe-uninitialized' all >log 2>&1 || { head -n 20 log >&2; false; }; }
+compile() { # [TARGET]
+    make -s -j"$(nproc)" OPT='-O1 -march=native -Wno-maybe-uninitialized' "${1:-all}" >log 2>&1 ||
+        { head -n 20 log >&2; false; }
+}
+invariants() { # DIM: the tests of the core, which find it in the list of methods
+    compile "build/tests/core_$1d" || return 1
+    OMP_WAIT_POLICY=passive "build/tests/core_$1d" >log || { grep -A 3 'had failures' log >&2; false; }
+}
 
 rm -rf "$tree"
 mkdir -p "$tree"
@@ -48,20 +43,20 @@ ok "runs in 1D" grep -q ',ok,' <("$program" run bar --method rpic)
 ok "runs in 2D" grep -q ',ok,' <("$program" run ring --method rpic --cells 16)
 ok "stands in the ring's study" "$program" study w11_06_ring --quick --method rpic
 ok "with its rows" grep -q ',rpic,' build/out/quick/w11_06_ring.csv
-refused "no method has" rpic
-refused "no method has" gimp
-refused "no method has" fem
-refused "takes at most 31" 2nd
-refused "takes at most 31" Upper
-refused "takes at most 31" ../evil
-refused "takes at most 31" 'a b'
-refused "takes at most 31" ''
-refused "takes at most 31" a23456789012345678901234567890123
-refused "one name only" a b
+ok "every invariant holds for it in 2D" invariants 2
+unchanged "no method has" rpic
+unchanged "no method has" gimp
+unchanged "no method has" fem
+unchanged "takes at most 31" 2nd
+unchanged "takes at most 31" Upper
+unchanged "takes at most 31" ../evil
+unchanged "takes at most 31" 'a b'
+unchanged "takes at most 31" ''
+unchanged "takes at most 31" a23456789012345678901234567890123
+unchanged "one name only" a b
 cp template.c methods/rpic.c # what new-method writes compiles and runs as it is: GIMP
 ok "the template compiles" compile
 "$program" run ring --cells 8 --method gimp | tail -n 1 | cut -d, -f12 >gimp
 "$program" run ring --cells 8 --method rpic | tail -n 1 | cut -d, -f12 >rpic
 ok "the template is GIMP" cmp -s gimp rpic
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+verdict

@@ -3,6 +3,8 @@
 # two at once, a gnuplot that fails or hangs, closed streams, a foreign locale, little memory.
 # Writes below FOLDER only. Prints what failed, then "N passed, N failed"; status 1 if any did.
 set -u
+# shellcheck source=tests/checks.sh
+source "$(dirname "$0")/checks.sh"
 program=$(realpath "$1")
 kills=${3:-12}
 long=${4:-}
@@ -17,33 +19,9 @@ clean_up() {
 trap clean_up EXIT
 trap 'exit 130' INT TERM
 cd "$work" || exit 1
-passed=0
-failed=0
 many=w07_05_squeeze_linear # some thousand short rows
 few=w07_04_squeeze
 
-ok() { # NAME COMMAND...: the command must succeed
-    local name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $name" >&2
-    fi
-}
-run() {
-    "$program" "$@" >out 2>err
-    status=$?
-}
-lines() { wc -l <"$1"; }
-untimed() { sed 's/\(,[^,]*\)\{3\}$//' "$1"; }
-same() { cmp -s <(untimed "$1") <(untimed "$2"); }
-# failed_well NAME STATUS TEXT: what run left: that status and one line with the text.
-failed_well() {
-    ok "$1: status $status, $(head -n 3 err)" test "$status" -eq "$2" -a "$(lines err)" -eq 1
-    ok "$1: says '$3', not $(head -n 3 err)" grep -qF -- "$3" err
-}
 not_running() { ! grep -q '^State:[[:space:]]*[^Z[:space:]]' "/proc/$1/status" 2>/dev/null; }
 keys() { cut -f1 "$1" | cut -c19-; }
 doubled() { keys "$1" | sort | uniq -d | wc -l; }
@@ -266,5 +244,4 @@ else
 fi
 
 ok "nothing half written is left" test -z "$(find . -name '*.tmp')"
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+verdict

@@ -4,6 +4,7 @@
 #define MPMLAB_FUZZ_H
 
 #include <stddef.h>
+#include "../common/fault.h"
 
 /* Each returns NULL, or what is wrong with how n bytes of input were taken. */
 const char *fuzz_run(const unsigned char *data, size_t n);     /* arguments of `run`, one a line */
@@ -12,6 +13,10 @@ const char *fuzz_case(const unsigned char *data, size_t n);    /* a run text, ru
 const char *fuzz_journal(const unsigned char *data, size_t n); /* a journal, or records of one */
 const char *fuzz_table(const unsigned char *data, size_t n);   /* a CSV table */
 const char *fuzz_append(const unsigned char *data, size_t n);  /* a table that a row is added to */
+const char *fuzz_sweep(const unsigned char *data, size_t n);   /* a problem, then lists */
+
+/* Is this how something is refused: status 2 and one line? NULL, or what is not. */
+const char *fuzz_refusal(int code, const Fault *fault);
 
 /* The bytes as text ended by a 0; the caller frees it. */
 char *fuzz_text(const unsigned char *data, size_t n);

@@ -6,7 +6,7 @@
 #include "../studies/run_args.h"
 #include "fuzz.h"
 
-static const char *refusal(int code, const Fault *fault)
+const char *fuzz_refusal(int code, const Fault *fault)
 {
     if (code != FAULT_USAGE || fault->code != FAULT_USAGE) return "status is not 2";
     if (!fault->text[0]) return "nothing is said";
@@ -33,7 +33,7 @@ static const char *resolved(RunSpec *spec)
     Fault fault = {0};
     const Engine *engine = engine_for(spec, &fault);
     int code = engine ? engine->resolve(spec, &fault) : FAULT_USAGE;
-    return code ? refusal(code, &fault) : same_again(spec);
+    return code ? fuzz_refusal(code, &fault) : same_again(spec);
 }
 
 const char *fuzz_run(const unsigned char *data, size_t n)
@@ -44,7 +44,7 @@ const char *fuzz_run(const unsigned char *data, size_t n)
     Fault fault = {0};
     int argc = 1 + fuzz_split(text, '\n', argv + 1, MOST);
     int code = run_args_read(argc, argv, &args, &fault);
-    const char *wrong = code ? refusal(code, &fault) : resolved(&args.spec);
+    const char *wrong = code ? fuzz_refusal(code, &fault) : resolved(&args.spec);
     free(text);
     return wrong;
 }
@@ -63,7 +63,7 @@ const char *fuzz_set(const unsigned char *data, size_t n)
     int count = n ? fuzz_split(text + 1, '\n', lines, MOST) : 0;
     for (int k = 0; k < count && !wrong; k++) {
         int code = spec_set(&spec, lines[k], &fault);
-        if (code) wrong = refusal(code, &fault);
+        if (code) wrong = fuzz_refusal(code, &fault);
     }
     if (!wrong) wrong = resolved(&spec);
     free(text);

@@ -1,4 +1,5 @@
 /* rig.c: see rig.h. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "rig.h"
@@ -112,6 +113,32 @@ double rig_distance(const double *a, const double *b, int count, bool L)
         if (gap > 0 || isnan(gap)) most = gap / size <= most ? most : gap / size;
     }
     return most;
+}
+
+static const Param *param_of(const Method *m, const char *name)
+{
+    for (const Param *p = m->info.params; p && p->name; p++)
+        if (strcmp(p->name, name) == 0) return p;
+    return NULL;
+}
+
+bool rig_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT])
+{
+    const Param *p = k ? param_of(m, k == 1 ? "shape" : "order") : NULL;
+    const char *own = "";
+    if (k && !p) return false;
+    if (k == 1) own = p->value > 0 ? "shape=spline;" : "shape=gimp;";
+    if (k == 2) own = "order=3;";
+    snprintf(set, VARIANT_TEXT, "%s%s", own, more);
+    return true;
+}
+
+bool rig_vary(Rig *r, int k)
+{
+    const Method *m = r->plan.setup.method;
+    const Param *p = k ? param_of(m, k == 1 ? "shape" : "order") : NULL;
+    if (p) r->plan.method_par[p - m->info.params] = k == 1 ? !(p->value > 0) : 3 - 1;
+    return !k || p;
 }
 
 bool rig_valid(const Method *m, Integrator i, bool refresh)

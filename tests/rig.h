@@ -61,6 +61,14 @@ double rig_distance(const double *a, const double *b, int count, bool L);
         if (DIM < 3 || !(*m)->assemble)
 #define FOR_INTEGRATORS(i) for (Integrator i = CD; i < INTEGRATORS; i++)
 
+/* Settings of variant k of a method, then `more`: 0 its defaults, 1 its other shape, 2 an odd order
+ * of its filter. False: it has none such. */
+enum { VARIANTS = 3, VARIANT_TEXT = 128 };
+bool rig_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT]);
+
+/* The same for a scene made by hand. */
+bool rig_vary(Rig *r, int k);
+
 /* Is this pair stable without being told so? With refresh: with refresh=1. */
 bool rig_valid(const Method *m, Integrator i, bool refresh);
 

@@ -59,14 +59,15 @@ static void test_append(void)
     replay("append", fuzz_append);
 }
 
+static void test_sweep(void)
+{
+    replay("sweep", fuzz_sweep);
+}
+
 extern const TestCase found_tests[];
 
 const TestCase found_tests[] = {
-    {"arguments", test_run},
-    {"settings", test_set},
-    {"runs", test_case},
-    {"journals", test_journal},
-    {"tables", test_table},
-    {"appended rows", test_append},
-    {NULL, NULL},
+    {"arguments", test_run},    {"settings", test_set}, {"runs", test_case},
+    {"journals", test_journal}, {"tables", test_table}, {"appended rows", test_append},
+    {"sweeps", test_sweep},     {NULL, NULL},
 };

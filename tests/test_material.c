@@ -110,6 +110,27 @@ static void test_rotation(void)
     }
 }
 
+/* Plane strain: along an axis of the plane that is not strained, stress is that across the plane.
+ */
+static void test_out_of_plane(void)
+{
+    for (int law = NEO_HOOKEAN; law <= LINEAR; law++) {
+        const Material m = material_make((Law)law, 2, DIM == 1 ? 0 : 0.3, 1);
+        for (double s = 0.7; s < 1.5; s += 0.1) {
+            Field F[NMAT], T[NMAT];
+            const double *f[NMAT];
+            Mat own;
+            for (int k = 0; k < NMAT; k++) {
+                f[k] = F[k];
+                own[k] = k == 0 ? s : k % (DIM + 1) == 0;
+                for (int p = 0; p < CHUNK; p++) F[k][p] = own[k];
+            }
+            kirchhoff(&m, f, T);
+            CHECK_CLOSE(out_of_plane_stress(&m, own), DIM == 1 ? 0 : T[NMAT - 1][0] / s, 1e-14);
+        }
+    }
+}
+
 static void test_speeds(void)
 {
     const Material m = material_make(NEO_HOOKEAN, 1e4, DIM == 1 ? 0 : 0.3, 2);
@@ -126,6 +147,7 @@ const TestCase material_tests[] = {
     {"logarithms of many", test_log_n},
     {"stress is the derivative of stored energy", test_stress},
     {"rest and rotation are free of stress", test_rotation},
+    {"stress across the plane", test_out_of_plane},
     {"Lame constants and wave speeds", test_speeds},
     {NULL, NULL},
 };

@@ -1,44 +1,24 @@
-/* test_methods.c: what holds for every method in each of its variants (the values of its `shape`
- * and an odd order of its filter), beyond the defaults that test_invariants.c runs; and what single
- * ideas promise: angular momentum, the null space, weights folded at walls. */
+/* test_methods.c: what single ideas promise, whichever methods have them: a uniform velocity moves
+ * the body and nothing else, angular momentum, the null space, weights folded at walls. */
 #include <stdlib.h>
 #include <string.h>
 #include "../common/passes.h"
 #include "../common/scheme.h"
-#include "../methods/shapes.h"
-#include "../methods/transfers.h"
+#include "../methods/filters.h"
 #include "rig.h"
 
 static const Case blocks[] = {{1, "free_block", 200, 2, 0, NULL},
                               {2, "free_block", 16, 4, 0, NULL}};
 
-static const Param *param_of(const Method *m, const char *name)
-{
-    for (const Param *p = m->info.params; p && p->name; p++)
-        if (strcmp(p->name, name) == 0) return p;
-    return NULL;
-}
-
-/* Settings of variant k of a method: 0 the defaults, 1 the other shape, 2 order 3; false: none. */
-static bool variant(const Method *m, int k, char set[64])
-{
-    const Param *p = k ? param_of(m, k == 1 ? "shape" : "order") : NULL;
-    set[0] = 0;
-    if (k == 1 && p) strcpy(set, p->value > 0 ? "shape=spline;" : "shape=gimp;");
-    if (k == 2 && p) strcpy(set, "order=3;");
-    return k == 0 || p;
-}
-
 typedef void Check(Rig *r);
 
-static void for_variants(Check *check, int first, const char *more)
+static void for_variants(Check *check, const char *more)
 {
-    char set[128];
-    FOR_METHODS(m) for (int k = first; k < 3; k++) FOR_INTEGRATORS(i)
+    char set[VARIANT_TEXT];
+    FOR_METHODS(m) for (int k = 0; k < VARIANTS; k++) FOR_INTEGRATORS(i)
     {
         Rig r;
-        if (!variant(*m, k, set) || !rig_valid(*m, i, false)) continue;
-        strcat(set, more);
+        if (!rig_variant(*m, k, more, set) || !rig_valid(*m, i, false)) continue;
         CU_ASSERT_FATAL(rig_plan(&r, &blocks[DIM - 1], (*m)->info.name, i, set));
         check(&r);
     }
@@ -66,38 +46,7 @@ static void check_constant(Rig *r)
 
 static void test_constant(void)
 {
-    for_variants(check_constant, 0, "spin=0;swing=0");
-}
-
-/* ---- variants: momentum, threads */
-
-static void check_variant(Rig *r)
-{
-    Sim *one = rig_sim(r);
-    double *start = rig_state(one);
-    CU_ASSERT(rig_steps(r, one, 0, 20));
-    r->plan.setup.threads = 3;
-    Sim *many = rig_sim(r);
-    CU_ASSERT(rig_steps(r, many, 0, 20));
-    const int n = one->p.count;
-    double *a = rig_state(one), *b = rig_state(many);
-    CU_ASSERT(memcmp(a, b, sizeof(double) * FIELDS * (size_t)n) == 0);
-    for (int d = 0; d < DIM; d++) {
-        double change = 0, size = 0;
-        for (int k = 0; k < n; k++) {
-            const int at = (AT_V + d) * n + k;
-            change += a[AT_M * n + k] * (a[at] - start[at]);
-            size += a[AT_M * n + k] * fabs(start[at]);
-        }
-        CHECK_CLOSE(change, 0, 1e-12 * size);
-    }
-    free(start), free(a), free(b);
-    sim_free(one), sim_free(many);
-}
-
-static void test_variants(void)
-{
-    for_variants(check_variant, 1, "");
+    for_variants(check_constant, "spin=0;swing=0");
 }
 
 /* ---- angular momentum: sum m (x x v) + m eps : B, where B is what the method keeps for L */
@@ -129,7 +78,7 @@ static void check_turning(Rig *r)
 
 static void test_turning(void)
 {
-    if (DIM == 2) for_variants(check_turning, 0, "");
+    if (DIM == 2) for_variants(check_turning, "");
 }
 
 /* ---- the null space: velocities that alternate between neighbours, which S takes to nothing */
@@ -284,7 +233,6 @@ static void test_wall_field(void)
 extern const TestCase methods_tests[];
 const TestCase methods_tests[] = {
     {"a uniform velocity, every variant", test_constant},
-    {"momentum and threads, every variant", test_variants},
     {"angular momentum where declared", test_turning},
     {"what rings: PIC kills it, FLIP keeps it", test_ringing},
     {"filter of order k", test_filter},

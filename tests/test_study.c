@@ -1,11 +1,14 @@
-/* test_study.c: the study engine on a small study of its own: files, repeats, faults, verdicts. */
+/* test_study.c: the study engine on a small study of its own: files, repeats, faults, verdicts; and
+ * what pages share. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "../studies/cases.h"
 #include "../studies/claims.h"
+#include "../studies/pages.h"
 #include "../studies/study_run.h"
 #include "check.h"
 
@@ -114,11 +117,87 @@ static void test_wrong_pages(void)
     CU_ASSERT(size_of("scratch/study/wrong.csv") == -1);
 }
 
+/* ---- pages.h */
+
+static Table *table_of(const char *text)
+{
+    FILE *f = fopen("scratch/study/page.part.csv", "w");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    fputs(text, f);
+    fclose(f);
+    Table *t = part_read(dir, "page", "part", NULL);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(t);
+    return t;
+}
+
+static void test_curves(void)
+{
+    static const double printed[][3] = {{1, 8, 1}, {2, 2.5, 0.5}, {4, 1, 10}};
+    static const double absent[][3] = {{1, 8, 1}, {3, 1, 1}};
+    Table *t = table_of("m,x,y\na,1,8.4\na,2,2\nb,2,99\na,4,1\n");
+    Curve c;
+    curve_pick(&c, t, "x", "y", "m=%s", "a");
+    CU_ASSERT(c.n == 3);
+    CHECK_CLOSE(curve_at(&c, 2), 2, 0);
+    CU_ASSERT(isnan(curve_at(&c, 3)));
+    CHECK_CLOSE(curve_max(&c), 8.4, 0);
+    CHECK_CLOSE(curve_settles(&c, 2), 2, 0);
+    CHECK_CLOSE(curve_settles(&c, 10), 1, 0);
+    CU_ASSERT(isnan(curve_settles(&c, 0.5)));
+    CHECK_CLOSE(curve_deviation(&c, 3, printed), 0.1, 1e-15); /* .05, .2 half, 0 */
+    CU_ASSERT(isnan(curve_deviation(&c, 2, absent)));
+    CHECK_CLOSE(value_pick(t, "y", "m=b x=%d", 2), 99, 0);
+    CU_ASSERT(isnan(value_pick(t, "y", "m=c")));
+    table_free(t);
+}
+
+static void test_median(void)
+{
+    double odd[] = {5, 1, 3}, even[] = {4, 1, 3, 2};
+    CHECK_CLOSE(median(3, odd), 3, 0);
+    CHECK_CLOSE(median(4, even), 2.5, 0);
+    CU_ASSERT(isnan(median(0, odd)));
+}
+
+static void test_lost(void)
+{
+    Table *t = table_of("status\nok\nenergy_growth\nnan\nleft_grid\n");
+    for (int row = 0; row < t->nrow; row++) CU_ASSERT(is_lost(t, row) == (row >= 2));
+    table_free(t);
+}
+
+static void squeezes(Cases *list, bool quick)
+{
+    squeeze_add(list, "gimp", "quadratic", 20, 5, quick);
+}
+
+/* 10 to 200 particles, 5 or 125 apart. */
+static void test_squeezes(void)
+{
+    const Study page = {.name = "squeezes", .cases = squeezes};
+    Cases list;
+    Fault fault;
+    CU_ASSERT_FATAL(cases_build(&list, &page, false, NULL, dir, &fault) == 0);
+    CU_ASSERT(list.n == 39);
+    for (int k = 0; k < list.n; k++) {
+        CHECK_CLOSE(list.list[k].spec.ppc, (10 + 5 * k) / 20.0, 1e-15);
+        CHECK_TEXT(spec_get(&list.list[k].spec, "field"), "quadratic");
+        CHECK_TEXT(list.list[k].spec.method, "gimp");
+    }
+    cases_free(&list);
+    CU_ASSERT(study_case_count(&page, true) == 2);
+    CU_ASSERT(method_known("gimp") && method_known("fem") && !method_known("gmp"));
+}
+
 const TestCase study_tests[] = {
     {"verdicts", test_verdicts},
     {"notes for the figure", test_notes},
     {"a file that is gone is made again", test_file_comes_back},
     {"number of cases", test_counts},
     {"a wrong page is a fault", test_wrong_pages},
+    {"curves out of tables", test_curves},
+    {"medians", test_median},
+    {"lost runs", test_lost},
+    {"the squeeze's cases", test_squeezes},
     {NULL, NULL},
 };

@@ -4,15 +4,21 @@
 #include <string.h>
 #include <time.h>
 #include "../common/place.h"
-#include "twin.h"
+#include "twin_sight.h"
 
 enum { GHOSTS = 8 }; /* nodes beyond the domain */
 
 /* A smooth weight's force fades with its mass, a tent's does not (common/sim.c has the reason). */
-static const TwinMethod known[] = {{"mpm", false, false, 1e-12},
-                                   {"gimp", true, false, 1e-24},
-                                   {"ge_mpm", false, true, 1e-12},
-                                   {"ge_gimp", true, true, 1e-24}};
+static const TwinMethod known[] = {
+    {.name = "mpm", .shape = TWIN_TENT, .least = 1e-12},
+    {.name = "gimp", .shape = TWIN_BOX, .least = 1e-24},
+    {.name = "ge_mpm", .shape = TWIN_TENT, .gradient = true, .least = 1e-12},
+    {.name = "ge_gimp", .shape = TWIN_BOX, .gradient = true, .least = 1e-24},
+    {.name = "bspline", .shape = TWIN_SPLINE, .least = 1e-24},
+    {.name = "apic", .gradient = true, .pic = true, .moments = true, .least = 1e-24},
+    {.name = "tpic", .gradient = true, .pic = true, .least = 1e-24},
+    {.name = "xpic", .pic = true, .filter = TWIN_PARTICLES, .least = 1e-24},
+    {.name = "fmpm", .pic = true, .filter = TWIN_NODES, .least = 1e-24}};
 
 static void make_grid(Twin *w)
 {
@@ -23,6 +29,18 @@ static void make_grid(Twin *w)
         w->origin[d] = (int)lround(scene->lo[d] * cells) - GHOSTS;
         w->size[d] = (int)lround(scene->hi[d] * cells) + GHOSTS + 1 - w->origin[d];
         w->nodes *= w->size[d];
+    }
+}
+
+/* Splines fold at walls that the body cannot leave. */
+static void find_walls(Twin *w)
+{
+    const Scene *scene = w->setup->scene;
+    for (int d = 0; d < DIM; d++) w->wall_lo[d] = -INFINITY, w->wall_hi[d] = INFINITY;
+    for (int k = 0; k < scene->nwall; k++) {
+        const Wall *wall = &scene->wall[k];
+        if (wall->mirror || !(wall->hold >> wall->axis & 1)) continue;
+        (wall->side < 0 ? w->wall_lo : w->wall_hi)[wall->axis] = round(wall->at * w->setup->cells);
     }
 }
 
@@ -61,22 +79,55 @@ static void place_one(Twin *w, const Layout *layout, int k)
     for (int d = 0; d < DIM; d++) p->x[d] = p->X[d] + u[d];
 }
 
-static const TwinMethod *find(const char *name)
+/* Value of a method's parameter; `other` if it has none such. */
+static int choice(const Setup *setup, const char *name, int other)
 {
-    for (size_t k = 0; k < sizeof known / sizeof *known; k++)
-        if (strcmp(known[k].name, name) == 0) return &known[k];
-    return NULL;
+    const Param *own = setup->method->info.params;
+    for (int k = 0; own && own[k].name; k++)
+        if (strcmp(own[k].name, name) == 0) return (int)setup->method_par[k];
+    return other;
+}
+
+/* The method by name, in the variant that is set; false if the twin does not know it. */
+static bool choose(Twin *w, const Setup *setup)
+{
+    const char *name = setup->method->info.name;
+    size_t k = 0;
+    while (k < sizeof known / sizeof *known && strcmp(known[k].name, name)) k++;
+    if (k == sizeof known / sizeof *known) return false;
+    *w = (Twin){.setup = setup, .method = known[k], .h = 1.0 / setup->cells};
+    const int spline_or_box = choice(setup, "shape", -1);
+    if (spline_or_box >= 0) w->method.shape = spline_or_box ? TWIN_BOX : TWIN_SPLINE;
+    w->order = 1 + choice(setup, "order", 0);
+    return true;
+}
+
+/* Moments of the initial gradient: B = L D. */
+static void start_moments(Twin *w)
+{
+    for (int k = 0; k < w->n && w->method.moments; k++) {
+        TwinParticle *p = &w->p[k];
+        Sight s[3];
+        look_around(w, p, s);
+        for (int b = 0; b < DIM; b++) {
+            const double D = spread(w, p, s, b);
+            for (int a = 0; a < DIM; a++) p->L[a][b] *= D;
+        }
+    }
 }
 
 Twin *twin_new(const Setup *setup)
 {
     const double n = pow(setup->ppc, 1.0 / DIM);
-    const TwinMethod *method = find(setup->method->info.name);
     Layout layout = {0};
-    Twin *w = method ? calloc(1, sizeof *w) : NULL;
-    if (!w) return NULL;
-    *w = (Twin){.setup = setup, .method = method, .h = 1.0 / setup->cells, .half = 0.5 / n};
+    Twin *w = calloc(1, sizeof *w);
+    if (!w || !choose(w, setup)) {
+        free(w);
+        return NULL;
+    }
+    w->half = 0.5 / n;
     make_grid(w);
+    find_walls(w);
     const int bad = layout_make(&layout, setup->scene, 1.0 / setup->cells / n, setup->count,
                                 setup->fitted, NULL);
     w->p = calloc((size_t)layout.n + 1, sizeof *w->p);
@@ -86,6 +137,7 @@ Twin *twin_new(const Setup *setup)
     layout_free(&layout);
     if (good) {
         hold_walls(w);
+        start_moments(w);
         return w;
     }
     twin_free(w);
