@@ -63,15 +63,14 @@ static void cut_blocks(Sim *sim, const int order[], int source[])
     sim->p.n = slot;
 }
 
-/* Padding moves with a real particle but weighs nothing and starts undeformed. */
-static void reset_padding(Sim *sim)
+/* Padding is a massless copy of a real particle and stays one, bit for bit. With a state of its own
+ * it would see nodes that no real particle sees, of round-off mass and any velocity, and its F
+ * would go to NaN, which times no mass is still NaN. */
+static void unload_padding(Sim *sim)
 {
     Particles *p = &sim->p;
-    for (int k = 0; k < p->n; k++) {
-        if (p->id[k] >= 0) continue;
-        for (int f = AT_V; f < FIELDS; f++)
-            if (p->field[f]) p->field[f][k] = f >= AT_F && f < AT_M && (f - AT_F) % (DIM + 1) == 0;
-    }
+    for (int k = 0; k < p->n; k++)
+        if (p->id[k] < 0) p->field[AT_M][k] = p->field[AT_VOL][k] = 0;
 }
 
 /* source[slot]: the old slot, or -1 - slot for its massless copy; becomes the old slot in any case.
@@ -94,7 +93,7 @@ static void permute(Sim *sim, int source[])
         p->field[f] = to;
         p->spare = from;
     }
-    reset_padding(sim);
+    unload_padding(sim);
 }
 
 static void widen(Grid *g, int row, int lo, int hi)

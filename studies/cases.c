@@ -92,15 +92,27 @@ static void set_outputs(Cases *cases)
     }
 }
 
+static int finish(Cases *cases, const Study *study, Fault *fault)
+{
+    set_outputs(cases);
+    if (cases->fault.code == 0) return 0;
+    return fault_set(fault, cases->fault.code, "study %s: %.450s", study->name, cases->fault.text);
+}
+
 int cases_build(Cases *cases, const Study *study, bool quick, const char *methods, const char *dir,
                 Fault *fault)
 {
     *cases = (Cases){.dir = dir, .methods = methods};
     snprintf(cases->program, sizeof cases->program, "%08lx", program_checksum());
     if (study->cases) study->cases(cases, quick);
-    set_outputs(cases);
-    if (cases->fault.code == 0) return 0;
-    return fault_set(fault, cases->fault.code, "study %s: %.450s", study->name, cases->fault.text);
+    cases->listed = cases->n;
+    return finish(cases, study, fault);
+}
+
+int cases_refine(Cases *cases, const Study *study, const Table *rows, bool quick, Fault *fault)
+{
+    study->refine(cases, rows, quick);
+    return finish(cases, study, fault);
 }
 
 void cases_free(Cases *cases)
@@ -162,6 +174,6 @@ int *cases_missing(const Cases *cases, const Journal *journal, int *n)
 unsigned long cases_checksum(const Cases *cases)
 {
     unsigned long sum = program_checksum();
-    for (int k = 0; k < cases->n; k++) sum = add_checksum(sum, cases->list[k].key);
+    for (int k = 0; k < cases->listed; k++) sum = add_checksum(sum, cases->list[k].key);
     return sum;
 }

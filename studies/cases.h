@@ -15,7 +15,7 @@ typedef struct Case {
 } Case;
 
 struct Cases {
-    int n;
+    int n, listed; /* listed: those of the study's own list; rows asked for the others */
     Case *list;
     const char *dir;     /* where files go */
     const char *methods; /* keep only these ("mpm,gimp"), or NULL: all */
@@ -26,12 +26,16 @@ struct Cases {
 /* Asks the study for its cases. 0, or a fault: the page itself is wrong. */
 int cases_build(Cases *cases, const Study *study, bool quick, const char *methods, const char *dir,
                 Fault *fault);
+
+/* Asks the study which more cases the rows so far ask for; n grows if there are any. 0 or a fault.
+ */
+int cases_refine(Cases *cases, const Study *study, const Table *rows, bool quick, Fault *fault);
 void cases_free(Cases *cases);
 
 /* Indices into cases of what must still run, each run once; *n of them, owned by the caller. */
 int *cases_missing(const Cases *cases, const Journal *journal, int *n);
 
-/* A checksum over all keys: what the table of this study depends on. */
+/* A checksum over all listed keys: what the table of this study depends on. */
 unsigned long cases_checksum(const Cases *cases);
 
 #endif

@@ -6,6 +6,7 @@
 #include "claims.h"
 #include "collect.h"
 #include "memory.h"
+#include "pages.h"
 #include "plot.h"
 #include "pool.h"
 #include "sidecar.h"
@@ -45,6 +46,38 @@ static int run_missing(const Study *study, const StudyOptions *o, const Cases *c
     return code ? code : journal_reload(journal, path, fault);
 }
 
+static int write_rows(const Study *study, const char *dir, const Cases *cases,
+                      const Journal *journal, Fault *fault)
+{
+    char *csv = text_of("%s/%s.csv", dir, study->name);
+    const int code = study->cases ? rows_write(cases, journal, csv, fault) : 0;
+    free(csv);
+    return code;
+}
+
+/* The cases that the rows so far ask for, if any. */
+static int refine(const Study *study, const StudyOptions *o, Cases *cases, const Journal *journal,
+                  Fault *fault)
+{
+    int code = write_rows(study, o->dir, cases, journal, fault);
+    Table *rows = code ? NULL : part_read(o->dir, study->name, NULL, fault);
+    code = rows ? cases_refine(cases, study, rows, o->quick, fault) : FAULT_MACHINE;
+    table_free(rows);
+    return code;
+}
+
+static int run_cases(const Study *study, const StudyOptions *o, Cases *cases, Journal *journal,
+                     const char *path, Fault *fault)
+{
+    int code, before;
+    do {
+        before = cases->n;
+        code = run_missing(study, o, cases, journal, path, fault);
+        if (code == 0 && study->refine) code = refine(study, o, cases, journal, fault);
+    } while (code == 0 && cases->n > before);
+    return code;
+}
+
 /* NAME.var: what the check measured, for the figure's key. */
 static int write_notes(const Study *study, const char *dir, Fault *fault)
 {
@@ -65,17 +98,15 @@ static int write_notes(const Study *study, const char *dir, Fault *fault)
 static int finish(const Study *study, const StudyOptions *o, const Cases *cases,
                   const Journal *journal, Fault *fault)
 {
-    char *csv = text_of("%s/%s.csv", o->dir, study->name);
-    int code = study->cases ? rows_write(cases, journal, csv, fault) : 0;
-    free(csv);
+    int code = write_rows(study, o->dir, cases, journal, fault);
     if (code == 0 && study->tables) code = study->tables(o->dir, o->quick, fault);
     if (code == 0) code = sidecar_write(study, cases, o->dir, fault);
     if (code == 0) code = write_notes(study, o->dir, fault);
     return code ? code : plot_study(study, o->dir, fault);
 }
 
-static int run_locked(const Study *study, const StudyOptions *o, const Cases *cases,
-                      Journal *journal, const char *path, Fault *fault)
+static int run_locked(const Study *study, const StudyOptions *o, Cases *cases, Journal *journal,
+                      const char *path, Fault *fault)
 {
     if (o->action == STUDY_LIST && study->timed)
         fprintf(stderr, "mpmlab: %s measures time: run these one after the other\n", study->name);
@@ -85,7 +116,7 @@ static int run_locked(const Study *study, const StudyOptions *o, const Cases *ca
         if (code == 0) code = journal_reload(journal, path, fault);
         if (code) return code;
     }
-    int code = run_missing(study, o, cases, journal, path, fault);
+    int code = run_cases(study, o, cases, journal, path, fault);
     return code ? code : finish(study, o, cases, journal, fault);
 }
 

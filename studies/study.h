@@ -16,6 +16,9 @@ typedef struct Study {
     const char *figure;                      /* "W07-5" */
     const char *about;                       /* one line */
     void (*cases)(Cases *cases, bool quick); /* or NULL: then tables() writes NAME.csv itself */
+    /* Adds the runs that the finished rows ask for, as a bisection does; asked again until it adds
+     * none. Rows alone decide, so that a re-run adds the same ones. Or NULL. */
+    void (*refine)(Cases *cases, const Table *rows, bool quick);
     /* Tables that are not rows of runs (shape functions, drawings), written into dir; or NULL. */
     int (*tables)(const char *dir, bool quick, Fault *fault);
     void (*check)(Check *check, const Table *rows, const char *dir); /* or NULL: nothing claimed */

@@ -12,49 +12,21 @@
 #include <math.h>
 #include <string.h>
 #include "pages.h"
+#include "pairs.h"
 
 static const char name[] = "t_05_compatibility";
-enum { INTEGRATORS = 5, COLUMNS = 7 };
-static const char *const integrators[COLUMNS] = {"cd", "usl", "musl", "uvf", "usf", "musl", "uvf"};
 static const double period = 0.02; /* [s] 2 L/c */
-
-static bool is_allowed(const char *method, const char *integrator, const char *setting)
-{
-    RunSpec spec = {0};
-    snprintf(spec.problem, sizeof spec.problem, "sine_bar");
-    snprintf(spec.method, sizeof spec.method, "%s", method);
-    snprintf(spec.integrator, sizeof spec.integrator, "%s", integrator);
-    return spec_set(&spec, setting, NULL) == 0 && engine_1d.resolve(&spec, NULL) == 0;
-}
-
-static bool gains_by_refresh(const char *method, const char *integrator)
-{
-    return !is_allowed(method, integrator, "refresh=0") &&
-           is_allowed(method, integrator, "refresh=1");
-}
 
 static void cases(Cases *list, bool quick)
 {
     double t_end = (quick ? 1 : 10) * period;
     for (const Info *const *m = engine_1d.methods; *m; m++)
-        for (int k = 0; k < COLUMNS; k++) {
-            int refresh = k >= INTEGRATORS;
-            if (refresh && !gains_by_refresh((*m)->name, integrators[k])) continue;
-            case_add(list,
-                     "run sine_bar --cfl .1 --method %s --integrator %s --t-end %.17g --set "
-                     "allow_unstable=1 --set refresh=%d",
-                     (*m)->name, integrators[k], t_end, refresh);
-        }
-}
-
-/* -1: none. Where a row stands in the figure: a line a method, a column an integrator. */
-static int column_of(const Table *rows, int row)
-{
-    const char *integrator = table_text(rows, row, "integrator");
-    int refresh = strstr(table_text(rows, row, "params"), "refresh=1") != NULL;
-    for (int k = refresh ? INTEGRATORS : 0; k < COLUMNS; k++)
-        if (strcmp(integrator, integrators[k]) == 0) return k;
-    return -1;
+        for (int k = 0; k < PAIRS; k++)
+            if (pair_is_run(&engine_1d, "sine_bar", (*m)->name, pairs[k]))
+                case_add(list,
+                         "run sine_bar --cfl .1 --method %s --integrator %s --t-end %.17g --set "
+                         "allow_unstable=1 --set refresh=%d",
+                         (*m)->name, pairs[k].integrator, t_end, pairs[k].refresh);
 }
 
 /* How a run went: 0 energy kept within .1 %, 1 within 5 %, 2 changed by more, 3 lost. */
@@ -68,9 +40,9 @@ static int grade(const Table *rows, int row)
 static void write_cell(FILE *f, const Table *rows, int row, int line)
 {
     double end = table_number(rows, row, "steps") * table_number(rows, row, "dt") / period;
-    int k = column_of(rows, row), g = grade(rows, row);
-    fprintf(f, "%s,%s%s,%d,%d,%d,", table_text(rows, row, "method"), integrators[k],
-            k < INTEGRATORS ? "" : " fresh", k, line, g);
+    int k = pair_of_row(rows, row), g = grade(rows, row);
+    fprintf(f, "%s,%s%s,%d,%d,%d,", table_text(rows, row, "method"), pairs[k].integrator,
+            pairs[k].refresh ? " fresh" : "", k, line, g);
     if (g < 3) {
         fprintf(f, "%+.2f %%\n", 100 * table_number(rows, row, "energy_drift"));
         return;
@@ -104,7 +76,7 @@ static int losses(const Table *rows, const char *method, int from, int to, doubl
     int lost = 0;
     *largest = 0;
     for (int row = 0; row < rows->nrow; row++) {
-        int k = column_of(rows, row);
+        int k = pair_of_row(rows, row);
         if (strcmp(table_text(rows, row, "method"), method) != 0 || k < from || k > to) continue;
         lost += is_lost(rows, row);
         if (!is_lost(rows, row))

@@ -9,6 +9,7 @@
 #include "../studies/cases.h"
 #include "../studies/claims.h"
 #include "../studies/pages.h"
+#include "../studies/sidecar.h"
 #include "../studies/study_run.h"
 #include "check.h"
 
@@ -92,6 +93,38 @@ static void test_counts(void)
 {
     CU_ASSERT(study_case_count(&tiny, false) == 4);
     CU_ASSERT(study_case_count(&tiny, true) == 3);
+}
+
+/* Steps 3, then as many as the last row had and one more, up to 6. */
+static void first_case(Cases *list, bool quick)
+{
+    (void)quick;
+    case_add(list, "run bar --cells 8 --set steps=3");
+}
+
+static void next_case(Cases *list, const Table *rows, bool quick)
+{
+    const double steps = table_number(rows, rows->nrow - 1, "steps");
+    (void)quick;
+    if (steps < 6) case_add(list, "run bar --cells 8 --set steps=%g", steps + 1);
+}
+
+static void test_refine(void)
+{
+    const char rows[] = "scratch/study/refined.rows";
+    char reason[128];
+    const Study page = {
+        .name = "refined", .figure = "T", .cases = first_case, .refine = next_case, .about = ""};
+    CU_ASSERT_FATAL(study_run(&page, &options, NULL) == 0);
+    const off_t length = size_of(rows);
+    Table *t = table_read("scratch/study/refined.csv", NULL);
+    CU_ASSERT(t && t->nrow == 4 && table_number(t, 3, "steps") == 6);
+    table_free(t);
+    CU_ASSERT(study_run(&page, &options, NULL) == 0 && size_of(rows) == length);
+    CU_ASSERT(sidecar_is_current(&page, dir, reason));
+    const Study other = {
+        .name = "refined", .figure = "T", .cases = cases, .refine = next_case, .about = ""};
+    CU_ASSERT(!sidecar_is_current(&other, dir, reason));
 }
 
 static void wrong_run(Cases *list, bool quick)
@@ -194,6 +227,7 @@ const TestCase study_tests[] = {
     {"notes for the figure", test_notes},
     {"a file that is gone is made again", test_file_comes_back},
     {"number of cases", test_counts},
+    {"cases that rows ask for", test_refine},
     {"a wrong page is a fault", test_wrong_pages},
     {"curves out of tables", test_curves},
     {"medians", test_median},

@@ -1,0 +1,36 @@
+/* stability.h: the stability maps of T-4: which runs, and their tables.
+ *
+ * NAME.map.csv: a line a rung, what became of the run and where it stands in the figure.
+ * NAME.limits.csv: a line a ladder, its limits and what ends them. NAME.worst.csv: the least of
+ * them over PPC. NAME.safe.csv: over PPC and amplitudes, of each method with its default
+ * integrator. */
+#ifndef MPMLAB_STABILITY_H
+#define MPMLAB_STABILITY_H
+
+#include "pairs.h"
+
+enum { MAP_MOST = 5, MAP_RUNGS = 10, MAPS = 2 };
+
+typedef struct Map {
+    const Engine *engine;
+    const char *problem;
+    int cells;
+    unsigned pairs;                    /* bit k: pairs[k]; the default integrator in any case */
+    double period;                     /* [s] */
+    double ppc[MAP_MOST], A[MAP_MOST]; /* 0: no more */
+    int usual_ppc, usual_A;            /* those of --quick */
+} Map;
+
+extern const Map stability_maps[MAPS];
+extern const double map_rungs[MAP_RUNGS]; /* CFL numbers */
+
+/* Is this the method's default integrator? */
+bool map_is_usual(const Map *map, const char *method, Pair pair);
+
+/* Does the map show this method with pairs[k]? */
+bool map_has_pair(const Map *map, const char *method, int k);
+
+/* Writes the four tables from dir/NAME.csv. 0 or a fault. */
+int stability_tables(const char *dir, const char *name, Fault *fault);
+
+#endif

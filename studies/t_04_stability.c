@@ -1,0 +1,128 @@
+/* t_04_stability.c: where each method breaks: CFL x PPC x amplitude, and the largest stable CFL.
+ *
+ * Ten periods of the sine bar (1D) and of the standing waves of axis_mms (2D), every method with
+ * every integrator, refused pairs included. A run is stable if it reaches the end with kinetic +
+ * strain energy - work never more than 5 % (of the largest so far) above its start, as the ledger
+ * has it. It "grew" if it reaches the end with more; it is lost if a particle is turned inside out,
+ * leaves the grid or is not a number. Losing energy is no instability.
+ *
+ * The rungs below are all run, coarse on purpose, since stability is not monotone in CFL where
+ * particles cross cells; the gap under the lowest rung that fails is bisected (ladder.h) to 5 %.
+ * A limit says that every rung tried below it was stable, too. */
+#include <math.h>
+#include "ladder.h"
+#include "pages.h"
+#include "stability.h"
+
+static const char name[] = "t_04_stability";
+static const double least = 0.05, precision = 0.05;
+
+/* The lowest rung, half of the whole cost, is for default integrators; the others get there where
+ * the next one fails. */
+static void add_ladders(Cases *list, const Map *map, const char *method, Pair pair, bool quick)
+{
+    const int from = map_is_usual(map, method, pair) ? 0 : 1;
+    for (int a = 0; map->A[a] > 0; a++)
+        for (int p = 0; map->ppc[p] > 0; p++)
+            for (int k = from; k < MAP_RUNGS; k += quick ? 3 : 1) {
+                if (quick && (a != map->usual_A || p != map->usual_ppc)) continue;
+                case_add(list,
+                         "run %s --method %s --integrator %s --cells %d --ppc %g --cfl %g --t-end "
+                         "%.17g --set A=%g --set allow_unstable=1 --set refresh=%d",
+                         map->problem, method, pair.integrator, map->cells, map->ppc[p],
+                         map_rungs[k], (quick ? 2 : 10) * map->period, map->A[a], pair.refresh);
+            }
+}
+
+static void cases(Cases *list, bool quick)
+{
+    for (const Map *map = stability_maps; map < stability_maps + MAPS; map++)
+        for (const Info *const *m = map->engine->methods; *m; m++)
+            for (int k = 0; k < PAIRS; k++)
+                if (map_has_pair(map, (*m)->name, k))
+                    add_ladders(list, map, (*m)->name, pairs[k], quick);
+}
+
+static void refine(Cases *list, const Table *rows, bool quick)
+{
+    ladders_refine(list, rows, quick ? 0.4 : precision, quick ? map_rungs[0] : least);
+}
+
+static int tables(const char *dir, bool quick, Fault *fault)
+{
+    (void)quick;
+    return stability_tables(dir, name, fault);
+}
+
+/* The least limit over PPC of a pair in 1D; NAN if it is not there. */
+static double bar(const Table *worst, const char *what, const char *pair, double A)
+{
+    return value_pick(worst, what, "dim=1 %s amplitude=%g", pair, A);
+}
+
+/* The largest over methods that refuse an integrator for its stale gradient: `runs` of them. */
+static double best_stale(const Table *worst, int *runs)
+{
+    double best = 0;
+    *runs = 0;
+    for (int row = 0; row < worst->nrow; row++) {
+        const Pair fresh = {table_text(worst, row, "integrator"), true};
+        const Engine *engine = engines[table_number(worst, row, "dim") > 1];
+        const char *problem = stability_maps[engine->dim - 1].problem;
+        if (table_number(worst, row, "refresh") > 0) continue;
+        if (!pair_is_run(engine, problem, table_text(worst, row, "method"), fresh)) continue;
+        best = fmax(best, table_number(worst, row, "stable"));
+        *runs += 1;
+    }
+    return best;
+}
+
+/* HARD_CASES H9: what a ladder of tenths found; the limit lies between that rung and the next. */
+static void check_bar(Check *c, const Table *worst)
+{
+    static const char tent[] = "method=mpm integrator=cd", gimp[] = "method=gimp integrator=cd";
+    static const char ge[] = "method=ge_gimp integrator=cd";
+    claim(c, "T-4.tent", "tents with cd, 1D: largest stable CFL at A = 1e-4, worst PPC",
+          bar(worst, "stable", tent, 1e-4), 0.7, 0.8);
+    claim(c, "T-4.tent-.01", "the same at A = .01", bar(worst, "stable", tent, 0.01), 0.7, 0.8);
+    claim(c, "T-4.tent-.05", "and at A = .05, where particles cross cells",
+          bar(worst, "stable", tent, 0.05), 0.05, 0.1);
+    claim(c, "T-4.gimp", "GIMP with cd: A = 1e-4", bar(worst, "stable", gimp, 1e-4), 0.7, 0.8);
+    claim(c, "T-4.gimp-.01", "A = .01", bar(worst, "stable", gimp, 0.01), 0.8, 0.9);
+    claim(c, "T-4.gimp-.05", "A = .05", bar(worst, "stable", gimp, 0.05), 0.8, 0.9);
+    claim(c, "T-4.ge-gimp", "GE-GIMP with cd: A = 1e-4", bar(worst, "stable", ge, 1e-4), 1, 1.1);
+    claim(c, "T-4.ge-gimp-.01", "A = .01", bar(worst, "stable", ge, 0.01), 1, 1.1);
+    claim_differs(c, "T-4.ge-gimp-.05", "A = .05", bar(worst, "stable", ge, 0.05), 0.6, 0.7, 0.1,
+                  0.6, "runs end well up to .6, but energy grows by more than 5 % long before");
+    claim(c, "T-4.ge-gimp-.05-kept", "and if energy may grow so long as the run is not lost",
+          bar(worst, "kept", ge, 0.05), 0.6, 0.7);
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    Table *worst = part_read(dir, name, "worst", NULL);
+    int runs;
+    (void)rows;
+    if (!worst) return;
+    check_bar(c, worst);
+    for (int k = 0; k < 2; k++) {
+        const char *pair = k ? "method=gimp integrator=uvf" : "method=gimp integrator=musl";
+        claim(c, k ? "T-4.uvf" : "T-4.musl",
+              k ? "and with uvf" : "GIMP with musl: A = 1e-4 and .01, the lower limit",
+              fmin(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4, 2);
+    }
+    const double stale = best_stale(worst, &runs);
+    claim(c, "T-4.stale", "a stale gradient projected twice a step: largest limit of all such",
+          runs ? stale : NAN, 0, 0);
+    table_free(worst);
+}
+
+const Study study_t_04_stability = {
+    .name = name,
+    .figure = "T-4",
+    .about = "stability maps: CFL x PPC x amplitude, largest stable CFL of every pair, 1D and 2D",
+    .cases = cases,
+    .refine = refine,
+    .tables = tables,
+    .check = check,
+};
