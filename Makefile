@@ -88,7 +88,7 @@ WRONG_TEST  = bash tests/wrong_inputs.sh $(BUILD)/mpmlab $(BUILD)/tests
 FAULT_TEST  = bash tests/faults.sh $(BUILD)/mpmlab $(BUILD)/tests
 FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/%.o,fuzz_run fuzz_files fuzz_tools)
 CORE_DIMS   = 1 2 3
-CORE_3      = main_3d rig twin twin_make $(patsubst %,test_%,twin shapes material exact)
+CORE_3      = main_3d rig twin twin_make $(patsubst %,test_%,twin shapes material exact remedies)
 CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
               $(patsubst %,test_%,invariants order dynamics spots rules status methods)
 CORE_2      = $(CORE_1)
