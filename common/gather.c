@@ -2,33 +2,49 @@
 #include "half_line.h"
 #include "moments.h"
 #include "passes.h"
+#include "strain.h"
 
-/* Extremes of one block of particles, kept per lane so that the loops vectorize. */
+/* Extremes of one block of particles, kept per lane so that the loops vectorize; and whether any
+ * went wrong. */
 typedef struct Extremes {
-    Field move, half, bad;
+    Field move, half;
+    int bad;
 } Extremes;
 
 /* The moved distance, half widths and faults of a chunk after its update. */
-static void inspect_chunk(const Sim *sim, const Chunk *c, const Work *w, Extremes *e)
+static inline __attribute__((always_inline)) void
+inspect_by(const Domain domain, const Sim *sim, const Chunk *c, const Work *w, Extremes *e)
 {
     const Grid *g = &sim->g;
     const Scene *scene = sim->setup->scene;
+    long bad = 0; /* as wide as a double, so that it stays in the comparisons' own lanes */
     for (int d = 0; d < DIM; d++) {
         const double lo = scene->lo[d] - sim->dx, hi = scene->hi[d] + sim->dx;
-        const double *x = c->x[d], *F = c->F[d * (DIM + 1)];
+        const double *x = c->x[d];
         for (int p = 0; p < CHUNK; p++) {
             const double move = fabs(x[p] * g->cells - g->origin[d] - w->x[d][p]);
-            const double half = sim->half * fabs(F[p]);
+            const double half = sim->half * domain_stretch(domain, c->F, d, p);
             e->move[p] = move > e->move[p] ? move : e->move[p];
             e->half[p] = half > e->half[p] ? half : e->half[p];
-            e->bad[p] += !(x[p] >= lo && x[p] <= hi);
+            bad |= !(x[p] >= lo) | !(x[p] <= hi);
         }
     }
     for (int p = 0; p < CHUNK; p++) {
         Mat F;
         for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
-        e->bad[p] += !(determinant(F) > 0);
+        bad |= !(determinant(F) > 0);
     }
+    e->bad |= bad != 0;
+}
+
+static void inspect_chunk(const Sim *sim, const Chunk *c, const Work *w, Extremes *e)
+{
+    if (sim->setup->domain == DOMAIN_FXX)
+        inspect_by(DOMAIN_FXX, sim, c, w, e);
+    else if (sim->setup->domain == DOMAIN_STRETCH)
+        inspect_by(DOMAIN_STRETCH, sim, c, w, e);
+    else
+        inspect_by(DOMAIN_UNDEFORMED, sim, c, w, e);
 }
 
 static inline __attribute__((always_inline)) void gather_line(const Grid *g, Work *w, int width,
@@ -57,7 +73,10 @@ static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Ext
     gather_line(&sim->g, w, width, T_G);
     unpack_sums(w, 0, sim->g.cells);
     if (method->moments) gather_moments(sim, w, width);
-    method->update(&c, (const Field *)w->sums, dt, take);
+    const bool own_strain = take & TAKE_F && sim->setup->strain != STRAIN_LINEAR;
+    method->update(&c, (const Field *)w->sums, dt,
+                   own_strain ? (take & ~(unsigned)TAKE_F) | TAKE_L : take);
+    if (own_strain) strain_chunk(sim->setup, &c, (const Field *)w->sums, dt);
     if (take & (TAKE_X | TAKE_F | MOVE_STASH)) inspect_chunk(sim, &c, w, e);
 }
 
@@ -99,9 +118,10 @@ void gather_velocity(Sim *sim)
  */
 bool gather_all(Sim *sim, double dt, unsigned take)
 {
-    double move = 0, half = 0, bad = 0;
+    double move = 0, half = 0;
+    int bad = 0;
     const int chunks = sim->p.n / CHUNK;
-#pragma omp parallel num_threads(sim->setup->threads) reduction(max : move, half, bad)
+#pragma omp parallel num_threads(sim->setup->threads) reduction(max : move, half) reduction(| : bad)
     {
         Work w;
         Extremes e = {0};
@@ -110,10 +130,10 @@ bool gather_all(Sim *sim, double dt, unsigned take)
         for (int p = 0; p < CHUNK; p++) {
             move = fmax(move, e.move[p]);
             half = fmax(half, e.half[p]);
-            bad = fmax(bad, e.bad[p]);
         }
+        bad |= e.bad;
     }
     sim->travel += move;
     if (take & TAKE_F) sim->half_now = fmin(half, sim->half_max);
-    return bad > 0;
+    return bad;
 }

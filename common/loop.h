@@ -27,7 +27,9 @@ typedef struct Loop {
     Status status;
     double failed_at; /* [s] */
     long growth_step; /* first step with too much energy, or -1 */
-    Moment last;      /* what is known of the last instant */
+    int fastest;      /* point then, and its speed [m/s] */
+    double speed;
+    Moment last; /* what is known of the last instant */
 } Loop;
 
 /* What was asked for; and what became of it. */

@@ -26,6 +26,11 @@ enum {
 
 typedef enum { CD, UVF, MUSL, USL, USF, INTEGRATORS } Integrator; /* step.c */
 
+/* What a particle's half width l follows: l0 |F_dd|, l0 U_dd, l0 (stretch.h); and how its F follows
+ * L (strain.h). */
+typedef enum { DOMAIN_FXX, DOMAIN_STRETCH, DOMAIN_UNDEFORMED } Domain;
+typedef enum { STRAIN_LINEAR, STRAIN_EXPONENTIAL, STRAIN_SUBCYCLED } StrainUpdate;
+
 /* What a gather is for; the integrator says. */
 enum {
     TAKE_V = 1,     /* velocities from a */

@@ -11,10 +11,16 @@ static void say_status(const Loop *l, Row *row)
     const bool grew = l->status.code == OK && l->growth_step >= 0;
     strcpy(row->status, status_names[grew ? ENERGY_GROWTH : l->status.code]);
     if (grew)
-        snprintf(row->reason, sizeof row->reason, "step %ld t=%.6g energy 5 %% above its start",
-                 l->growth_step, (double)l->growth_step * l->dt);
+        snprintf(row->reason, sizeof row->reason,
+                 "step %ld t=%.6g energy 5 %% above its start; fastest %s %d v=%.6g",
+                 l->growth_step, (double)l->growth_step * l->dt,
+                 l->plan->setup.method ? "particle" : "node", l->fastest, l->speed);
     else if (l->status.code == EMPTY)
         strcpy(row->reason, "no particle lies inside the body");
+    else if (l->status.code == SINGULAR)
+        snprintf(row->reason, sizeof row->reason,
+                 "step %ld t=%.6g particle %d and all others: no node under them has mass",
+                 l->done + 1, l->failed_at, l->status.point);
     else if (l->status.code != OK)
         snprintf(row->reason, sizeof row->reason, "step %ld t=%.6g %s %d %s=%.6g", l->done + 1,
                  l->failed_at, l->plan->setup.method ? "particle" : "element", l->status.point,

@@ -3,33 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "resolve.h"
+#include "settings.h"
 #include "step.h"
-
-/* Settings that every run takes, besides those of its problem and method. */
-enum { P_STEPS, P_ALLOW, P_REFRESH, P_LAYOUT, P_PARTICLES, P_DIM, P_STOP, P_REPEAT, RUN_PARAMS };
-
-static const Param run_params[] = {
-    [P_STEPS] = {"steps", 0, 0, 1e9, "", "stop after so many steps; 0: at t_end", "", NULL},
-    [P_ALLOW] = {"allow_unstable", 0, 0, 1, "", "1: run a refused method x integrator pair", "",
-                 "0|1"},
-    [P_REFRESH] = {"refresh", 0, 0, 1, "",
-                   "1: L from the accelerated grid velocity before a "
-                   "re-projection",
-                   "", "0|1"},
-    [P_LAYOUT] = {"layout", 0, 0, 1, "", "particles on a lattice or fitted to the body", "",
-                  "cartesian|radial"},
-    [P_PARTICLES] = {"particles", 0, 1, 1e8, "", "number of particles (1D), instead of ppc", "",
-                     NULL},
-    [P_DIM] = {"dim", DIM, 1, 3, "", "dimension of a scene that has several", "", NULL},
-    [P_STOP] = {"stop_growth", 0, 0, 1, "", "1: energy growth ends the run", "", "0|1"},
-    [P_REPEAT] = {"repeat", 1, 1, 1e6, "",
-                  "number of a repetition: changes nothing but the row's key, so that a run can be "
-                  "timed again",
-                  "", NULL},
-    [RUN_PARAMS] = {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
-
-const Param *const common_params = run_params;
 
 static int param_count(const Param *p)
 {
@@ -67,7 +42,7 @@ static int read_params(const RunSpec *spec, const Param *params, double value[],
 
 static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
 {
-    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params, run_params};
+    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params, common_params};
     const char *names[3 * MAX_PARAMS];
     int n = 0;
     for (int l = 0; l < 3; l++) {
@@ -112,34 +87,6 @@ static int choose_method(RunSpec *spec, Plan *plan, Fault *fault)
     return fault_set(fault, FAULT_USAGE,
                      "--method: got '%s', takes a method of %dD; did you mean '%s'?", spec->method,
                      DIM, nearest_name(spec->method, names, n));
-}
-
-static int choose_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault)
-{
-    Setup *s = &plan->setup;
-    const Method *m = s->method;
-    if (!spec->integrator[0])
-        strcpy(spec->integrator, integrator_names[m ? m->integrator[DIM] : CD]);
-    while (s->integrator < INTEGRATORS && strcmp(spec->integrator, integrator_names[s->integrator]))
-        s->integrator++;
-    if (s->integrator == INTEGRATORS)
-        return fault_set(
-            fault, FAULT_USAGE,
-            "--integrator: got '%s', takes cd, uvf, musl, usl or usf; did you mean '%s'?",
-            spec->integrator, nearest_name(spec->integrator, integrator_names, INTEGRATORS));
-    s->refresh = run[P_REFRESH] > 0;
-    if (!m) {
-        if (s->integrator == CD) return 0;
-        return fault_set(fault, FAULT_USAGE, "--integrator: got '%s', %s takes cd only",
-                         spec->integrator, spec->method);
-    }
-    const unsigned valid = m->valid | (s->refresh ? m->valid_fresh : 0);
-    if (valid >> s->integrator & 1 || run[P_ALLOW] > 0) return 0;
-    return fault_set(
-        fault, FAULT_USAGE,
-        "--integrator: got '%s', which is unstable with %s%s; allow_unstable=1 runs it",
-        spec->integrator, spec->method,
-        m->valid_fresh >> s->integrator & 1 ? " (stable with --set refresh=1)" : "");
 }
 
 /* 1D: a whole number of particles; 2D lattice: n^2 per cell. */
@@ -190,12 +137,13 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
     const double usual = plan->setup.method && plan->setup.method->surface;
     int n = 0; /* what the defaults would say anyway, or is said elsewhere, is left out */
     for (int k = 0; k < spec->nset; k++) {
-        const Param *p = param_find(run_params, spec->set[k].name);
+        const Param *p = param_find(common_params, spec->set[k].name);
         double value = 0;
         char takes[128];
-        const bool keep = !p || (p != &run_params[P_PARTICLES] &&
-                                 !param_parse(p, spec->set[k].value, &value, takes) &&
-                                 fabs(value - (p == &run_params[P_LAYOUT] ? usual : p->value)) > 0);
+        const bool keep =
+            !p || (p != &common_params[P_PARTICLES] &&
+                   !param_parse(p, spec->set[k].value, &value, takes) &&
+                   fabs(value - (p == &common_params[P_LAYOUT] ? usual : p->value)) > 0);
         if (!keep) continue;
         if (p) { /* as it would be printed: 3, not 03 */
             param_print(p, value, text);
@@ -259,10 +207,12 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     for (int k = 0; k < spec->nset; k++)
         if (unknown_setting(plan, spec->set[k].name, fault)) return FAULT_USAGE;
     if (!(spec->cells > 0)) spec->cells = plan->scene.problem->cells;
-    if (read_params(spec, run_params, run, fault) || whole("steps", run[P_STEPS], fault) ||
+    if (read_params(spec, common_params, run, fault) || whole("steps", run[P_STEPS], fault) ||
         whole("particles", run[P_PARTICLES], fault) || whole("repeat", run[P_REPEAT], fault) ||
+        whole("subcycles", run[P_SUBCYCLES], fault) ||
         read_params(spec, plan->method->params, plan->method_par, fault) ||
-        make_scene(spec, plan, fault) || choose_integrator(spec, plan, run, fault))
+        make_scene(spec, plan, fault) || settle_integrator(spec, plan, run, fault) ||
+        settle_strain(spec, plan, run, fault))
         return FAULT_USAGE;
     if (spec->errors && (!plan->scene.problem->exact || plan->scene.problem->projection))
         return fault_set(fault, FAULT_USAGE,

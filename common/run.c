@@ -64,6 +64,24 @@ static double beyond_mean(double before, double after)
     return 0.25 * pow(sqrt(after) - sqrt(before), 2);
 }
 
+/* Where to look when there is too much energy. */
+static void note_growth(Loop *l)
+{
+    Points p;
+    Samples q;
+    l->plan->solver->view(l->self, &p, &q);
+    l->growth_step = l->done;
+    l->fastest = -1;
+    for (int k = 0; k < p.n; k++) {
+        double square = 0;
+        for (int d = 0; d < DIM; d++) square += p.v[d][k] * p.v[d][k];
+        const double speed = sqrt(square);
+        if (p.id[k] < 0 || !(p.m[k] > 0) || speed < l->speed) continue;
+        if (speed > l->speed || l->fastest < 0 || p.id[k] < l->fastest) l->fastest = p.id[k];
+        l->speed = speed;
+    }
+}
+
 /* Books the instant t_k: energies centred in time, work by the trapezoidal rule. */
 static void book_energy(Loop *l, Moment *m, double power, double beyond)
 {
@@ -75,7 +93,7 @@ static void book_energy(Loop *l, Moment *m, double power, double beyond)
     if (!(m->t > 0)) l->start = l->now;
     l->largest = larger(l->largest, stored);
     if (l->growth_step < 0 && l->done > 0 && l->now - beyond - l->start > 0.05 * l->largest)
-        l->growth_step = l->done;
+        note_growth(l);
     if (l->history) history_line(l->history, m);
 }
 

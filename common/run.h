@@ -27,6 +27,9 @@ typedef struct Setup {
     int count;           /* particles asked for by number (1D), or 0 */
     bool fitted;         /* body-fitted layout */
     bool refresh;        /* L from the accelerated grid velocity before a re-projection */
+    Domain domain;       /* of particle boxes */
+    StrainUpdate strain; /* of F */
+    int subcycles;       /* of STRAIN_SUBCYCLED, >= 1 */
     bool snapshot_nodes; /* nodes() will be called */
     int threads;
 } Setup;

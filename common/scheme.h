@@ -10,9 +10,7 @@
 
 #include <math.h>
 #include "sim.h"
-
-/* A particle's stretch is never taken as zero (l = l0 F_xx vanishes under a quarter turn). */
-static const double LEAST_STRETCH = 1e-6;
+#include "stretch.h"
 
 /* The widest vectors of this build. Lines within one are shuffled; wider ones are taken apart by
  * the compiler, which costs more than arithmetic with zeros and ones. */
@@ -43,16 +41,26 @@ typedef struct Work {
     Line B[CHUNK]; /* its slopes per cell, those along axis d in the lanes from FLUX + d DIM on */
 } Work;
 
-/* Half width of a particle along an axis [cells]: l0 |F_dd|, W11's authors' rule. */
-static inline void half_widths(const Sim *sim, const Chunk *c, int axis, Field b)
+/* Half widths of a chunk along an axis [cells], by a rule that is a constant in each instance. */
+static inline __attribute__((always_inline)) void
+half_widths_by(const Domain domain, const Sim *sim, const Chunk *c, int axis, Field b)
 {
-    const double *F = c->F[axis * (DIM + 1)];
     for (int p = 0; p < CHUNK; p++) {
-        double stretch = fabs(F[p]);
+        double stretch = domain_stretch(domain, c->F, axis, p);
         stretch = stretch > LEAST_STRETCH ? stretch : LEAST_STRETCH;
         b[p] = sim->half * stretch;
         b[p] = b[p] < sim->half_max ? b[p] : sim->half_max;
     }
+}
+
+static inline void half_widths(const Sim *sim, const Chunk *c, int axis, Field b)
+{
+    if (sim->setup->domain == DOMAIN_FXX)
+        half_widths_by(DOMAIN_FXX, sim, c, axis, b);
+    else if (sim->setup->domain == DOMAIN_STRETCH)
+        half_widths_by(DOMAIN_STRETCH, sim, c, axis, b);
+    else
+        half_widths_by(DOMAIN_UNDEFORMED, sim, c, axis, b);
 }
 
 /* Fills the stencils of all axes; returns their common width, the least that holds this chunk. */

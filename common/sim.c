@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include "place.h"
 #include "sim.h"
+#include "stretch.h"
 
 /* How far half widths may grow before they are capped: stretch 4, or one cell and a half. */
 static double widest_half(double half)
@@ -206,7 +207,8 @@ static double widest_now(const Sim *sim)
     double most = 0;
     for (int d = 0; d < DIM; d++)
         for (int s = 0; s < sim->p.n; s++)
-            most = fmax(most, sim->half * fabs(sim->p.field[AT_F + d * (DIM + 1)][s]));
+            most = fmax(most,
+                        sim->half * domain_stretch(sim->setup->domain, sim->p.field + AT_F, d, s));
     return fmin(most, sim->half_max);
 }
 

@@ -91,11 +91,12 @@ typedef struct Sim {
     double key_shift; /* particles are sorted by floor(x + this), in cells */
     double travel;    /* farthest any particle may have moved since the last sort, in cells */
     double mass_cut;  /* nodes with less are empty [kg] */
-    long nodes;       /* most live nodes so far */
+    long nodes, live; /* most live nodes so far; those of the last solve */
     Vec impulse;      /* [kg m/s] given by body forces and walls so far */
     double dx;        /* 1/cells [m] */
     int surface;      /* surface particles, if the method has any */
     long fallbacks;   /* nodes that fell back from their method's own rule, summed over steps */
+    Status status;    /* what ended the run: no step is taken after it */
 } Sim;
 
 /* Places and allocates everything; NULL and a fault (2: parameters, 1: memory, before it is taken).

@@ -137,5 +137,6 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
         if (g->lo[row] < g->hi[row]) live += g->live[row];
         for (int a = 0; a < DIM; a++) sim->impulse[a] += g->impulse[row][a];
     }
+    sim->live = live;
     if (live > sim->nodes) sim->nodes = live;
 }

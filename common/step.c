@@ -4,6 +4,7 @@
  * An integrator is a list of passes; each deposits (with forces or without), solves on the grid and
  * gathers what it takes. A pass without forces is a re-projection: v of the particles as they are.
  */
+#include <limits.h>
 #include <math.h>
 #include "passes.h"
 #include "step.h"
@@ -53,23 +54,34 @@ Status sim_check(const Sim *sim)
     return worst;
 }
 
+/* No node has mass under any particle: the lowest id stands for all. */
+static Status without_support(const Sim *sim)
+{
+    int first = INT_MAX;
+    for (int s = 0; s < sim->p.n; s++)
+        if (sim->p.id[s] >= 0 && sim->p.id[s] < first) first = sim->p.id[s];
+    return (Status){SINGULAR, first, 0};
+}
+
 /* Stencils stay within the live spans while nobody drifted a cell or outgrew the planned width. */
 static void sort_if_due(Sim *sim)
 {
-    if (sim->travel > 1 || sim->half_now > sim->half_plan) sim_sort(sim);
+    if (isinf(sim->travel)) sim->status = sim_check(sim); /* the start is the scene's */
+    if (sim->status.code == OK && (sim->travel > 1 || sim->half_now > sim->half_plan))
+        sim_sort(sim);
 }
 
-Status sim_step(Sim *sim, double t, double dt, bool first)
+static Status take_passes(Sim *sim, double t, double dt, bool first)
 {
     const Setup *s = sim->setup;
     const double scale = first && integrators[s->integrator].half_first ? 0.5 : 1;
-    sort_if_due(sim);
     for (int k = 0; k < 2 && integrators[s->integrator].pass[k].used; k++) {
         const Pass *pass = &integrators[s->integrator].pass[k];
         const bool filter = sim->method.filter && (pass->force || !sim->method.filter_first);
         deposit_all(sim, t, pass->force ? FORCES : MOTION);
         if (filter) filter_open(sim);
         solve_all(sim, dt, scale, pass->force);
+        if (sim->live == 0) return without_support(sim);
         if (filter) filter_all(sim, dt, pass->force);
         if (gather_all(sim, dt, pass->take | (s->refresh ? pass->fresh : 0))) {
             const Status status = sim_check(sim);
@@ -81,9 +93,17 @@ Status sim_step(Sim *sim, double t, double dt, bool first)
     return (Status){OK, -1, 0};
 }
 
+Status sim_step(Sim *sim, double t, double dt, bool first)
+{
+    if (sim->status.code == OK) sort_if_due(sim);
+    if (sim->status.code == OK) sim->status = take_passes(sim, t, dt, first);
+    return sim->status;
+}
+
 Status sim_project(Sim *sim)
 {
-    sort_if_due(sim);
+    if (sim->status.code == OK) sort_if_due(sim);
+    if (sim->status.code != OK) return sim->status;
     deposit_all(sim, 0, MOTION);
     if (sim->method.filter) filter_open(sim);
     solve_all(sim, 0, 1, false);

@@ -10,13 +10,14 @@ extern const char *const integrator_names[INTEGRATORS + 1];
 
 /* One step from t to t + dt [s]; `first` takes the half first step where the integrator has one.
  * Returns the first thing that went wrong (lowest particle id), with the particles left as they
- * are. */
+ * are; a Sim that went wrong takes no more steps and says the same again. */
 Status sim_step(Sim *sim, double t, double dt, bool first);
 
 /* Masses and velocities to the grid, nothing else. */
 Status sim_project(Sim *sim);
 
-/* The first particle that is not a number, has left the grid or is turned inside out. */
+/* The first particle that is not a number, has left the grid or is turned inside out. (SINGULAR, no
+ * node has mass, is found by the step itself.) */
 Status sim_check(const Sim *sim);
 
 /* The particle core as a Solver; `self` is a Sim. */

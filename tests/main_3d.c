@@ -5,15 +5,13 @@ extern const TestCase twin_tests[];
 extern const TestCase shapes_tests[];
 extern const TestCase material_tests[];
 extern const TestCase exact_tests[];
+extern const TestCase remedies_tests[];
 
 int main(void)
 {
     const TestSuite suites[] = {
-        {"twin", twin_tests},
-        {"shapes", shapes_tests},
-        {"material", material_tests},
-        {"exact", exact_tests},
-        {NULL, NULL},
+        {"twin", twin_tests},   {"shapes", shapes_tests},     {"material", material_tests},
+        {"exact", exact_tests}, {"remedies", remedies_tests}, {NULL, NULL},
     };
     return check_run(suites);
 }

@@ -1,6 +1,6 @@
 /* test_ring.c: the oscillating ring's exact solution against finite differences, and its points. */
 #include "../common/place.h"
-#include "check.h"
+#include "balance.h"
 
 extern const Problem problem_ring;
 
@@ -15,64 +15,6 @@ static Scene ring(const double par[5], double cell)
 }
 
 static const double quarter[5] = {0.1}, moved[5] = {0.1, FULL, 0.3, -0.4, 25};
-
-static void displacement(const Scene *s, const Vec X, double t, Vec u)
-{
-    problem_ring.exact(s, 1, (const double *[]){&X[0], &X[1]}, t, (double *[]){&u[0], &u[1]});
-}
-
-static void body_force(const Scene *s, const Vec X, double t, Vec b)
-{
-    problem_ring.body(s, 1, (const double *[]){&X[0], &X[1]}, t, (double *[]){&b[0], &b[1]});
-}
-
-/* Central differences of eighth order; offsets k e, k = 1 .. 4. */
-static const double weight[4] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-static const double e = 0.01;
-
-/* F_ab = delta_ab + du_a/dX_b */
-static void gradient(const Scene *s, const Vec X, double t, Mat F)
-{
-    for (int b = 0; b < DIM; b++) {
-        for (int a = 0; a < DIM; a++) F[a * DIM + b] = a == b;
-        for (int k = 1; k <= 4; k++)
-            for (int side = -1; side <= 1; side += 2) {
-                Vec at = {X[0], X[1]}, u;
-                at[b] += side * k * e;
-                displacement(s, at, t, u);
-                for (int a = 0; a < DIM; a++) F[a * DIM + b] += side * weight[k - 1] * u[a] / e;
-            }
-    }
-}
-
-/* P = mu (F - F^-T) */
-static void first_stress(const Scene *s, const Vec X, double t, Mat P)
-{
-    Mat F;
-    gradient(s, X, t, F);
-    const double J = determinant(F),
-                 inverse_transposed[NMAT] = {F[3] / J, -F[2] / J, -F[1] / J, F[0] / J};
-    for (int k = 0; k < NMAT; k++) P[k] = s->mat.mu * (F[k] - inverse_transposed[k]);
-}
-
-/* b_a = u_a,tt - P_ab,b / rho */
-static void balance(const Scene *s, const Vec X, double t, Vec b)
-{
-    Vec u;
-    const double w = M_PI * s->c;
-    displacement(s, X, t, u);
-    for (int a = 0; a < DIM; a++) b[a] = -w * w * u[a];
-    for (int axis = 0; axis < DIM; axis++)
-        for (int k = 1; k <= 4; k++)
-            for (int side = -1; side <= 1; side += 2) {
-                Vec at = {X[0], X[1]};
-                Mat P;
-                at[axis] += side * k * e;
-                first_stress(s, at, t, P);
-                for (int a = 0; a < DIM; a++)
-                    b[a] -= side * weight[k - 1] * P[a * DIM + axis] / e / s->mat.rho;
-            }
-}
 
 static void test_body_force_values(void)
 {
@@ -113,7 +55,7 @@ static void test_start(void)
                *unused[] = {none, none, none, none};
         problem_ring.start(&s, 1, (const double *[]){&X[0], &X[1]}, pu, unused, pF, unused);
         displacement(&s, X, 0, exact);
-        gradient(&s, X, 0, expected);
+        exact_gradient(&s, X, 0, expected);
         for (int d = 0; d < DIM; d++) CHECK_CLOSE(u[d], exact[d], 1e-16);
         for (int d = 0; d < NMAT; d++) CHECK_CLOSE(F[d], expected[d], 1e-11);
     }
@@ -125,7 +67,7 @@ static void test_free_surfaces(void)
     const Scene s = ring(quarter, 1);
     for (int k = 0; k < 2; k++) {
         Mat F;
-        gradient(&s, (Vec){k ? 1 : 0.5, 0}, 0.003, F);
+        exact_gradient(&s, (Vec){k ? 1 : 0.5, 0}, 0.003, F);
         CHECK_CLOSE(F[0], 1, 1e-12);
     }
 }

@@ -39,10 +39,10 @@ static void check_sums(const Method *m, const Stencil *s, double widest, const F
     }
 }
 
-/* Half widths up to half a cell, and in wide chunks up to two cells. */
+/* Half widths up to half a cell, and in wide chunks up to the widest that stencils allow. */
 static void test_sums(void)
 {
-    const double widest[] = {0.5, 0.8, 1, 2};
+    const double widest[] = {0.5, 0.8, 1, 2, (MAX_WIDTH - 5) / 2.0};
     Stencil s;
     Field x, b;
     FOR_METHODS(m) for (int round = 0; round < ROUNDS; round++)
@@ -58,7 +58,7 @@ static void test_sums(void)
 /* Particles on nodes, on cell centres, and boxes that end on nodes. */
 static void test_edges(void)
 {
-    const double half[] = {0.125, 0.25, 0.5, 1, 1.5, 2};
+    const double half[] = {0.125, 0.25, 0.5, 1, 1.5, 2, 7, (MAX_WIDTH - 5) / 2.0};
     Stencil s;
     Field x, b;
     FOR_METHODS(m) for (int k = 0; k < COUNT(half); k++)

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../common/loop.h"
 #include "rig.h"
 
 static Row run(const RunSpec *spec)
@@ -132,6 +133,94 @@ static void test_padding(void)
     }
 }
 
+/* After a failure nothing moves any more, whatever is asked for; nothing reads beyond the grid. */
+static void test_after(void)
+{
+    const Case c = {DIM, "free_block", 8, 0, 0, "drift=10;box=1"};
+    FOR_METHODS(m) FOR_INTEGRATORS(i)
+    {
+        Rig r;
+        int steps = 0;
+        CU_ASSERT_FATAL(rig_plan(&r, &c, (*m)->info.name, i, "allow_unstable=1"));
+        Sim *sim = rig_sim(&r);
+        while (sim_step(sim, 0, r.dt, false).code == OK && steps < 500) steps++;
+        const Status end = sim->status;
+        double *before = rig_state(sim);
+        for (int k = 0; k < 3; k++) {
+            const Status again = sim_step(sim, 0, r.dt, k == 0);
+            CU_ASSERT(again.code == end.code && again.point == end.point && end.code != OK);
+            CU_ASSERT(sim_project(sim).code == end.code);
+        }
+        double *after = rig_state(sim);
+        CU_ASSERT(memcmp(before, after, sizeof(double) * (size_t)(FIELDS * sim->p.count)) == 0);
+        free(before), free(after), sim_free(sim);
+    }
+}
+
+/* Displaced out of the grid. */
+static void far_away(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fields F, Fields L)
+{
+    (void)X, (void)v, (void)F, (void)L;
+    for (int p = 0; p < n; p++) u[DIM - 1][p] = p < n / 2 ? 0 : 1e9 * s->hi[0];
+}
+
+static int unit_box(Scene *s, char why[128])
+{
+    (void)why;
+    s->mat = material_make(NEO_HOOKEAN, 1, 0, 1);
+    for (int d = 0; d < DIM; d++) s->hi[d] = s->body_hi[d] = 1;
+    s->c = 1;
+    return 0;
+}
+
+static void test_bad_start(void)
+{
+    static const Problem away = {.cfl = 0.1, .init = unit_box, .start = far_away};
+    FOR_METHODS(m)
+    {
+        Rig r;
+        rig_scene(&r, &away, *m, CD, 8, 1);
+        if (DIM == 1) r.plan.setup.count = 8;
+        Sim *sim = rig_sim(&r);
+        const Status end = sim_step(sim, 0, r.dt, true);
+        CU_ASSERT(end.code == LEFT_GRID && end.point == sim->p.count / 2);
+        CU_ASSERT(sim_project(sim).code == LEFT_GRID);
+        sim_free(sim);
+    }
+}
+
+/* Step, time and point of every way to end. */
+static void test_reasons(void)
+{
+    static const struct {
+        StatusCode code;
+        const char *status, *reason;
+    } told[] = {
+        {LEFT_GRID, "left_grid", "step 5 t=0.5 particle 3 x=7"},
+        {INVERTED, "inverted", "step 5 t=0.5 particle 3 J=7"},
+        {NOT_A_NUMBER, "nan", "step 5 t=0.5 particle 3 x=7"},
+        {SINGULAR, "singular",
+         "step 5 t=0.5 particle 3 and all others: no node under them has mass"},
+        {OK, "energy_growth", "step 2 t=0.2 energy 5 % above its start; fastest particle 9 v=6"}};
+    const Case c = {DIM, "free_block", 8, 0, 0, NULL};
+    Rig r;
+    CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", CD, NULL));
+    for (int k = 0; k < COUNT(told); k++) {
+        Row row = row_empty();
+        const Loop l = {.plan = &r.plan,
+                        .status = {told[k].code, 3, 7},
+                        .done = 4,
+                        .dt = 0.1,
+                        .failed_at = 0.5,
+                        .growth_step = 2,
+                        .fastest = 9,
+                        .speed = 6};
+        report_results(&l, &row);
+        CHECK_TEXT(row.status, told[k].status);
+        CHECK_TEXT(row.reason, told[k].reason);
+    }
+}
+
 static bool nowhere(const Scene *s, const Vec X)
 {
     (void)s, (void)X;
@@ -144,17 +233,8 @@ static bool place_nothing(const Scene *s, double spacing, bool fitted, Layout *o
     return true;
 }
 
-static int box(Scene *s, char why[128])
-{
-    (void)why;
-    s->mat = material_make(NEO_HOOKEAN, 1, 0, 1);
-    for (int d = 0; d < DIM; d++) s->hi[d] = s->body_hi[d] = 1;
-    s->c = 1;
-    return 0;
-}
-
-static const Problem empty[] = {{.cfl = 0.1, .init = box, .inside = nowhere},
-                                {.cfl = 0.1, .init = box, .place = place_nothing}};
+static const Problem empty[] = {{.cfl = 0.1, .init = unit_box, .inside = nowhere},
+                                {.cfl = 0.1, .init = unit_box, .place = place_nothing}};
 
 static void test_empty(void)
 {
@@ -191,6 +271,9 @@ const TestCase status_tests[] = {
     {"left_grid, inverted", test_ends},
     {"nan", test_nan},
     {"padding follows its particle", test_padding},
+    {"after a failure", test_after},
+    {"wrong from the start", test_bad_start},
+    {"reasons name step, time and point", test_reasons},
     {"empty", test_empty},
     {"too large", test_too_large},
     {NULL, NULL},

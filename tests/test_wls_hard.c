@@ -164,6 +164,7 @@ static void test_hard(void)
             StatusCode end;
             const long fallbacks = endure(both[m], &problem, &end);
             CU_ASSERT(end != NOT_A_NUMBER);
+            CU_ASSERT((end == SINGULAR) == (cases[k].place == lone || cases[k].place == sparse));
             CU_ASSERT(fallbacks > 0);
         }
 }

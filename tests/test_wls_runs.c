@@ -157,10 +157,8 @@ const TestCase wls_run_tests[] = {
 
 int main(void)
 {
-    const TestSuite suites[] = {{"wls pieces", wls_tests},
-                                {"wls hard spots", wls_hard_tests},
-                                {"axis_mms", axis_tests},
-                                {"wls runs", wls_run_tests},
-                                {NULL, NULL}};
+    const TestSuite suites[] = {{"wls pieces", wls_tests},   {"wls hard spots", wls_hard_tests},
+                                {"axis_mms", axis_tests},    {"vortex", vortex_tests},
+                                {"wls runs", wls_run_tests}, {NULL, NULL}};
     return check_run(suites);
 }

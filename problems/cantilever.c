@@ -1,0 +1,67 @@
+/* cantilever.c: a 4 x 1 m beam held at its root and sheared at its end (plane strain), for locking
+ * near incompressibility.
+ *
+ * The end shear tau = .01 E, downwards, is spread as a body force over the last metre of the
+ * reference body, so that every method and the FEM on any mesh solve the same problem:
+ *   b_y = -(tau(t)/rho) 2 (X - 3)/1^2,  3 < X < 4,
+ * whose sum over the beam's height is tau. It is linear, so that midpoints (particles) and
+ * trapezoids (the FEM's lumped nodes) both give it exactly wherever a cell's side falls on X = 3.
+ * The shear grows linearly over one period T of the beam's lowest bending mode and is held then: at
+ * t = T and after, a linear beam is at rest (the ramp excites nothing of that period).
+ *   T = 2 pi/w, w = (1.8751/L)^2 sqrt(E' I/(rho H)), I = H^3/12, E' = E/(1 - nu^2).
+ * A linear beam's tip sinks by the ends of that load: w(L) = -2.2 m at nu = .3, so that rotations
+ * are large. */
+#include <math.h>
+#include "../common/problem.h"
+
+enum { E, NU, SHEAR };
+enum { RAMP, TAU }; /* s->k */
+
+static const double length = 4, height = 1, strip = 1, rho = 1; /* [m] [m] [m] [kg/m^3] */
+
+static const Param params[] = {{"E", 1e4, 1e-12, 1e15, "Pa", "Young's modulus", "", NULL},
+                               {"nu", 0.3, 0, 0.4999, "", "Poisson's ratio", "", NULL},
+                               {"shear", 0.01, 0, 0.1, "E", "end shear per height", "", NULL},
+                               {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+
+static int init(Scene *s, char why[128])
+{
+    (void)why;
+    s->mat = material_make(NEO_HOOKEAN, s->par[E], s->par[NU], rho);
+    const double plane = s->par[E] / (1 - s->par[NU] * s->par[NU]), inertia = pow(height, 3) / 12;
+    const double w = pow(1.8751 / length, 2) * sqrt(plane * inertia / (rho * height));
+    s->hi[0] = length + 1;
+    s->lo[1] = -length;
+    s->hi[1] = height + 1;
+    s->body_hi[0] = length;
+    s->body_hi[1] = height;
+    s->wall[s->nwall++] = (Wall){.axis = 0, .side = -1, .at = 0, .hold = (1u << DIM) - 1};
+    s->c = wave_speed_bound(&s->mat);
+    s->k[RAMP] = s->t_end = 2 * M_PI / w;
+    s->k[TAU] = s->par[SHEAR] * s->par[E];
+    s->error_scale = 1;
+    return 0;
+}
+
+static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
+{
+    const double tau = s->k[TAU] * fmin(t / s->k[RAMP], 1), scale = 2 * tau / (rho * strip * strip);
+    for (int p = 0; p < n; p++) {
+        const double into = X[0][p] - (length - strip);
+        b[0][p] = 0;
+        b[1][p] = into > 0 ? -scale * into : 0;
+    }
+}
+
+const Problem problem_cantilever = {
+    .info = {.name = "cantilever",
+             .label = "cantilever",
+             .about = "a beam bent by end shear: locking near incompressibility",
+             .source = "",
+             .params = params},
+    .cells = 8,
+    .ppc = 4,
+    .cfl = 0.4,
+    .init = init,
+    .body = body,
+};
