@@ -59,11 +59,21 @@ static void sort_if_due(Sim *sim)
     if (sim->travel > 1 || sim->half_now > sim->half_plan) sim_sort(sim);
 }
 
+static void impose_motion(Sim *sim, double t)
+{
+    const Scene *scene = sim->setup->scene;
+    const Particles *p = &sim->p;
+    if (scene->problem->impose)
+        scene->problem->impose(scene, p->n, (const double *const *)(p->field + AT_X), t,
+                               p->field + AT_V);
+}
+
 Status sim_step(Sim *sim, double t, double dt, bool first)
 {
     const Setup *s = sim->setup;
     const double scale = first && integrators[s->integrator].half_first ? 0.5 : 1;
     sort_if_due(sim);
+    impose_motion(sim, t);
     for (int k = 0; k < 2 && integrators[s->integrator].pass[k].used; k++) {
         const Pass *pass = &integrators[s->integrator].pass[k];
         const bool filter = sim->method.filter && (pass->force || !sim->method.filter_first);

@@ -1,0 +1,30 @@
+/* hard.h: what the pages of the hard cases (H1 ...) share: who takes part, histories, and grades,
+ * which the scoreboard's section on stability collects.
+ *
+ * NAME.grades.csv: case,method,grade,note. A grade says how a method stands up to a case; where it
+ * is drawn the page says why. */
+#ifndef MPMLAB_HARD_H
+#define MPMLAB_HARD_H
+
+#include "pages.h"
+
+typedef enum Grade { GRADE_OK, GRADE_WEAK, GRADE_LOST, GRADES } Grade;
+extern const char *const grade_names[GRADES]; /* "ok" "weak" "lost" */
+
+/* Does this method have a grid (and particles)? FEM has none. */
+bool has_grid(const Engine *engine, const char *method);
+
+/* Opens dir/NAME.grades.csv; NULL and a fault. To be closed with grades_end, which takes NULL. */
+FILE *grades_begin(const char *dir, const char *name, Fault *fault);
+int grades_end(FILE *f, const char *dir, const char *name, Fault *fault);
+void grade_add(FILE *f, const char *hard_case, const char *method, Grade grade, const char *note,
+               ...) __attribute__((format(printf, 5, 6)));
+
+/* GRADE_OK while value <= ok, GRADE_WEAK while <= weak; else, and if NAN, GRADE_LOST. */
+Grade grade_of(double value, double ok, double weak);
+
+/* Largest of column `want` over the rows of these methods ("gimp wls") that also meet `where`
+ * ("column=value ..."); NAN if one of them has no such row, or is NAN. */
+double worst_of(const Table *t, const char *methods, const char *want, const char *where);
+
+#endif
