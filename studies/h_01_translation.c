@@ -18,7 +18,6 @@ enum { OFFSETS = 4, KINDS = 3, MESHES = 3, PER_CELL = 2 };
 #define STRETCH 1.0717
 #define ANGLE   30    /* degrees */
 #define DRIFT   0.1   /* in c */
-#define CFL     0.3   /* the scene's own */
 #define NOTHING 1e-10 /* round-off */
 
 static const struct {
@@ -66,21 +65,20 @@ static void cases(Cases *list, bool quick)
                 }
 }
 
-/* The block's Lame constants and W11's wave speed (eq 33), as problems/block.c has them. */
-static void material(int dim, double *lambda, double *mu, double *c)
+/* The block's Lame constants, as problems/block.c has them. */
+static void material(int dim, double *lambda, double *mu)
 {
     const double E = 1e4, nu = dim > 1 ? 0.3 : 0;
     *mu = E / (2 + 2 * nu);
     *lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
-    *c = sqrt(*lambda + 3 * *mu);
 }
 
 /* Frobenius norm of the Cauchy stress T/J of the stretched block, T = mu (F F^T - 1) + lambda ln J;
  * turning it changes nothing. */
 static double stress(int dim)
 {
-    double lambda, mu, c;
-    material(dim, &lambda, &mu, &c);
+    double lambda, mu;
+    material(dim, &lambda, &mu);
     const double along = mu * (STRETCH * STRETCH - 1) + lambda * log(STRETCH);
     const double across = dim > 1 ? lambda * log(STRETCH) : 0;
     return hypot(along, across) / STRETCH;
@@ -122,9 +120,7 @@ static void take_nodes(Span *s, const Ask *a)
     char part[96];
     const int dim = kinds[a->kind].engine->dim;
     const double h = 1.0 / kinds[a->kind].cells[a->mesh];
-    double lambda, mu, c;
-    material(dim, &lambda, &mu, &c);
-    const double dt = CFL * h / c, unit = stress(dim) * (dim > 1 ? h : 1);
+    const double dt = BLOCK_CFL * h / BLOCK_SPEED, unit = stress(dim) * (dim > 1 ? h : 1);
     part_name(part, a->method, a->kind, a->mesh, a->offset);
     Table *nodes = part_read(a->dir, name, part, NULL);
     for (int i = 0; nodes && i < nodes->nrow; i++) {
@@ -132,7 +128,7 @@ static void take_nodes(Span *s, const Ask *a)
         const double x = table_number(nodes, i, "x") - 1.5 - a->shift[0] * h;
         const double y = dim > 1 ? table_number(nodes, i, "y") - 1.5 - a->shift[1] * h : 0;
         if (!is_inside(kinds[a->kind].angle, x, y, h)) continue;
-        take_node(s, a, x, m * (table_number(nodes, i, "vx") - DRIFT * c));
+        take_node(s, a, x, m * (table_number(nodes, i, "vx") - DRIFT * BLOCK_SPEED));
         if (dim > 1) s->largest = fmax(s->largest, fabs(m * table_number(nodes, i, "vy")));
     }
     table_free(nodes);
@@ -184,7 +180,7 @@ static int write_grades(const char *dir, Fault *fault)
                   any);
     }
     table_free(t);
-    return grades_end(f, dir, name, fault);
+    return hard_end(f, dir, name, "grades", fault);
 }
 
 static int tables(const char *dir, bool quick, Fault *fault)

@@ -13,20 +13,45 @@ bool has_grid(const Engine *engine, const char *method)
     return engine->weight(method, 0, 0.25, &S, &G) == 0;
 }
 
-FILE *grades_begin(const char *dir, const char *name, Fault *fault)
+bool has_param(const Info *method, const char *name)
+{
+    for (const Param *p = method->params; p && p->name; p++)
+        if (strcmp(p->name, name) == 0) return true;
+    return false;
+}
+
+static FILE *begin(const char *dir, const char *name, const char *part, const char *header,
+                   Fault *fault)
 {
     char path[PATH_TEXT];
-    part_path(path, dir, name, "grades");
+    part_path(path, dir, name, part);
     FILE *f = file_begin(path, fault);
-    if (f) fputs("case,method,grade,note\n", f);
+    if (f) fputs(header, f);
     return f;
 }
 
-int grades_end(FILE *f, const char *dir, const char *name, Fault *fault)
+FILE *grades_begin(const char *dir, const char *name, Fault *fault)
+{
+    return begin(dir, name, "grades", "case,method,grade,note\n", fault);
+}
+
+FILE *remedies_begin(const char *dir, const char *name, Fault *fault)
+{
+    return begin(dir, name, "remedies", "case,method,remedy,before,after\n", fault);
+}
+
+int hard_end(FILE *f, const char *dir, const char *name, const char *part, Fault *fault)
 {
     char path[PATH_TEXT];
-    part_path(path, dir, name, "grades");
+    part_path(path, dir, name, part);
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+}
+
+void remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy,
+                Grade before, Grade after)
+{
+    fprintf(f, "%s,%s,%s,%s,%s\n", hard_case, method, remedy, grade_names[before],
+            grade_names[after]);
 }
 
 void grade_add(FILE *f, const char *hard_case, const char *method, Grade grade, const char *note,

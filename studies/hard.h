@@ -1,8 +1,9 @@
 /* hard.h: what the pages of the hard cases (H1 ...) share: who takes part, histories, and grades,
  * which the scoreboard's section on stability collects.
  *
- * NAME.grades.csv: case,method,grade,note. A grade says how a method stands up to a case; where it
- * is drawn the page says why. */
+ * NAME.grades.csv: case,method,grade,note. A grade says how a method stands up to a case; the page
+ * says where it draws its lines. NAME.remedies.csv: case,method,remedy,before,after: grades of the
+ * same case without and with an option. */
 #ifndef MPMLAB_HARD_H
 #define MPMLAB_HARD_H
 
@@ -11,14 +12,26 @@
 typedef enum Grade { GRADE_OK, GRADE_WEAK, GRADE_LOST, GRADES } Grade;
 extern const char *const grade_names[GRADES]; /* "ok" "weak" "lost" */
 
+/* problems/block.c: wave speed in dt0 [m/s], and its CFL number. */
+#define BLOCK_SPEED 100.0
+#define BLOCK_CFL   0.3
+
 /* Does this method have a grid (and particles)? FEM has none. */
 bool has_grid(const Engine *engine, const char *method);
 
-/* Opens dir/NAME.grades.csv; NULL and a fault. To be closed with grades_end, which takes NULL. */
+/* Does it take a parameter of this name? */
+bool has_param(const Info *method, const char *name);
+
+/* Open dir/NAME.grades.csv, dir/NAME.remedies.csv; NULL and a fault. To be closed with hard_end,
+ * which takes NULL. */
 FILE *grades_begin(const char *dir, const char *name, Fault *fault);
-int grades_end(FILE *f, const char *dir, const char *name, Fault *fault);
+FILE *remedies_begin(const char *dir, const char *name, Fault *fault);
+int hard_end(FILE *f, const char *dir, const char *name, const char *part, Fault *fault);
 void grade_add(FILE *f, const char *hard_case, const char *method, Grade grade, const char *note,
                ...) __attribute__((format(printf, 5, 6)));
+
+void remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy,
+                Grade before, Grade after);
 
 /* GRADE_OK while value <= ok, GRADE_WEAK while <= weak; else, and if NAN, GRADE_LOST. */
 Grade grade_of(double value, double ok, double weak);
