@@ -172,12 +172,12 @@ static int write_grades(const char *dir, Fault *fault)
                                   worst_of(t, (*m)->name, "largest", "kind=stretch"));
         const double any = fmax(tiles, worst_of(t, (*m)->name, "largest", "kind=turned"));
         if (!has_grid(&engine_2d, (*m)->name)) continue;
-        grade_add(f, "H1", (*m)->name, grade_of(any, NOTHING, 0.1),
-                  any <= NOTHING     ? "no force inside, at any offset"
-                  : tiles <= NOTHING ? "no force while boxes tile space; %.2g of |sigma| A in a "
-                                       "turned body"
-                                     : "forces up to %.2g of |sigma| A inside, on any mesh",
-                  any);
+        mark_add(f, "H1", (*m)->name, mark_of(any, NOTHING, 0.1),
+                 any <= NOTHING     ? "no force inside, at any offset"
+                 : tiles <= NOTHING ? "no force while boxes tile space; %.2g of |sigma| A in a "
+                                      "turned body"
+                                    : "forces up to %.2g of |sigma| A inside, on any mesh",
+                 any);
     }
     table_free(t);
     return hard_end(f, dir, name, "grades", fault);

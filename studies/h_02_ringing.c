@@ -87,9 +87,9 @@ static Left left(const Table *t, const char *methods, int first, int variant)
     return out;
 }
 
-static Grade grade_kept(double part)
+static Mark mark_kept(double part)
 {
-    return grade_of(part, 0.1, 1.1);
+    return mark_of(part, 0.1, 1.1);
 }
 
 static int write_grades(const char *dir, Fault *fault)
@@ -100,14 +100,14 @@ static int write_grades(const char *dir, Fault *fault)
     for (const Info *const *m = engine_2d.methods; g && *m; m++) {
         if (!has_grid(&engine_2d, (*m)->name)) continue;
         const double usual = left(t, (*m)->name, 1, 0).most;
-        grade_add(f, "H2", (*m)->name, grade_kept(usual),
-                  usual > 1.1 ? "grows to %.3g times what it was in %d steps"
-                              : "%.2g of it left after %d steps",
-                  usual, STEPS);
+        mark_add(f, "H2", (*m)->name, mark_kept(usual),
+                 usual > 1.1 ? "grows to %.3g times what it was in %d steps"
+                             : "%.2g of it left after %d steps",
+                 usual, STEPS);
         for (int v = 1; v < VARIANTS; v++)
             if (takes(&engine_2d, *m, v))
-                remedy_add(g, "H2", (*m)->name, variants[v].name, grade_kept(usual),
-                           grade_kept(left(t, (*m)->name, 1, v).most));
+                remedy_add(g, "H2", (*m)->name, variants[v].name, mark_kept(usual),
+                           mark_kept(left(t, (*m)->name, 1, v).most));
     }
     table_free(t);
     const int code = hard_end(g, dir, name, "remedies", fault);
@@ -140,10 +140,10 @@ static void check(Check *c, const Table *rows, const char *dir)
           fmax(left(t, "xpic fmpm", 1, 1).most, left(t, "apic tpic", 1, 0).most), 0, 0.1);
     claim(c, "H2.xpic", "XPIC(2) and FMPM(2) forget it, too: most left",
           left(t, "xpic fmpm", 1, 0).most, 0, 0.1);
-    claim_differs(
-        c, "H2.wls", "WLS, WLS2 filter on the way to the grid only and keep it: most at the end",
-        left(t, "wls wls2", 1, 0).most, 0.9, 1.1, 1.1, 1e6,
-        "it grows by itself where the block is off the grid's lines; less so, or not at "
+    claim_differs(c, "H2.wls",
+                  "WLS, WLS2 filter on the way to the grid only and keep it: most at the end",
+                  left(t, "wls wls2", 1, 0).most, 0.9, 1.1, 1.1, 1e6,
+                  "it grows by itself where the block is off the grid's lines; less so, or not at "
                   "all, if returned through splines, as it was fitted");
     claim(c, "H2.wls-spline", "returned through splines, as fitted, WLS keeps it: most left",
           left(t, "wls", 1, 2).most, 0.9, 1.1);

@@ -48,7 +48,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
     (void)quick;
     for (const Info *const *m = engine_2d.methods; f && *m; m++) {
         const double e = worst(rows, (*m)->name, 0, 3);
-        grade_add(f, "H14", (*m)->name, grade_of(e, 1e-12, 1e-3), "off by %.1g m", e);
+        mark_add(f, "H14", (*m)->name, mark_of(e, 1e-12, 1e-3), "off by %.1g m", e);
     }
     table_free(rows);
     return hard_end(f, dir, name, "grades", fault);

@@ -4,13 +4,26 @@
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
+#include "run_args.h"
 
-const char *const grade_names[GRADES] = {"ok", "weak", "lost"};
+const char *const mark_names[MARKS] = {"ok", "weak", "lost"};
 
 bool has_grid(const Engine *engine, const char *method)
 {
     double S, G;
     return engine->weight(method, 0, 0.25, &S, &G) == 0;
+}
+
+bool is_run(const char *format, ...)
+{
+    char text[SPEC_TEXT];
+    const Engine *engine;
+    RunSpec spec;
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    return run_text_resolve(text, &spec, &engine, NULL) == 0;
 }
 
 bool has_param(const Info *method, const char *name)
@@ -47,29 +60,28 @@ int hard_end(FILE *f, const char *dir, const char *name, const char *part, Fault
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
-void remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy,
-                Grade before, Grade after)
+void remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy, Mark before,
+                Mark after)
 {
-    fprintf(f, "%s,%s,%s,%s,%s\n", hard_case, method, remedy, grade_names[before],
-            grade_names[after]);
+    fprintf(f, "%s,%s,%s,%s,%s\n", hard_case, method, remedy, mark_names[before],
+            mark_names[after]);
 }
 
-void grade_add(FILE *f, const char *hard_case, const char *method, Grade grade, const char *note,
-               ...)
+void mark_add(FILE *f, const char *hard_case, const char *method, Mark grade, const char *note, ...)
 {
     char text[256];
     va_list args;
     va_start(args, note);
     vsnprintf(text, sizeof text, note, args);
     va_end(args);
-    fprintf(f, "%s,%s,%s,", hard_case, method, grade_names[grade]);
+    fprintf(f, "%s,%s,%s,", hard_case, method, mark_names[grade]);
     csv_cell(f, text);
     putc('\n', f);
 }
 
-Grade grade_of(double value, double ok, double weak)
+Mark mark_of(double value, double ok, double weak)
 {
-    return value <= ok ? GRADE_OK : value <= weak ? GRADE_WEAK : GRADE_LOST;
+    return value <= ok ? MARK_OK : value <= weak ? MARK_WEAK : MARK_LOST;
 }
 
 double worst_of(const Table *t, const char *methods, const char *want, const char *where)

@@ -9,8 +9,8 @@
 
 #include "pages.h"
 
-typedef enum Grade { GRADE_OK, GRADE_WEAK, GRADE_LOST, GRADES } Grade;
-extern const char *const grade_names[GRADES]; /* "ok" "weak" "lost" */
+typedef enum Mark { MARK_OK, MARK_WEAK, MARK_LOST, MARKS } Mark;
+extern const char *const mark_names[MARKS]; /* "ok" "weak" "lost" */
 
 /* problems/block.c: wave speed in dt0 [m/s], and its CFL number. */
 #define BLOCK_SPEED 100.0
@@ -18,6 +18,9 @@ extern const char *const grade_names[GRADES]; /* "ok" "weak" "lost" */
 
 /* Does this method have a grid (and particles)? FEM has none. */
 bool has_grid(const Engine *engine, const char *method);
+
+/* Is this a run that the program takes ("run block --set domain=stretch")? */
+bool is_run(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Does it take a parameter of this name? */
 bool has_param(const Info *method, const char *name);
@@ -27,14 +30,14 @@ bool has_param(const Info *method, const char *name);
 FILE *grades_begin(const char *dir, const char *name, Fault *fault);
 FILE *remedies_begin(const char *dir, const char *name, Fault *fault);
 int hard_end(FILE *f, const char *dir, const char *name, const char *part, Fault *fault);
-void grade_add(FILE *f, const char *hard_case, const char *method, Grade grade, const char *note,
-               ...) __attribute__((format(printf, 5, 6)));
+void mark_add(FILE *f, const char *hard_case, const char *method, Mark grade, const char *note, ...)
+    __attribute__((format(printf, 5, 6)));
 
-void remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy,
-                Grade before, Grade after);
+void remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy, Mark before,
+                Mark after);
 
-/* GRADE_OK while value <= ok, GRADE_WEAK while <= weak; else, and if NAN, GRADE_LOST. */
-Grade grade_of(double value, double ok, double weak);
+/* MARK_OK while value <= ok, MARK_WEAK while <= weak; else, and if NAN, MARK_LOST. */
+Mark mark_of(double value, double ok, double weak);
 
 /* Largest of column `want` over the rows of these methods ("gimp wls") that also meet `where`
  * ("column=value ..."); NAN if one of them has no such row, or is NAN. */
