@@ -13,23 +13,18 @@ extern const TestCase spots_tests[];
 extern const TestCase rules_tests[];
 extern const TestCase status_tests[];
 extern const TestCase methods_tests[];
+extern const TestCase hard_tests[];
 
 int main(void)
 {
     const TestSuite suites[] = {
-        {"contract", contract_tests},
-        {"twin", twin_tests},
-        {"shapes", shapes_tests},
-        {"material", material_tests},
-        {"exact", exact_tests},
-        {"invariants", invariants_tests},
-        {"order", order_tests},
-        {"dynamics", dynamics_tests},
-        {"spots", spots_tests},
-        {"rules", rules_tests},
-        {"status", status_tests},
-        {"methods", methods_tests},
-        {NULL, NULL},
+        {"contract", contract_tests}, {"twin", twin_tests},
+        {"shapes", shapes_tests},     {"material", material_tests},
+        {"exact", exact_tests},       {"invariants", invariants_tests},
+        {"order", order_tests},       {"dynamics", dynamics_tests},
+        {"spots", spots_tests},       {"rules", rules_tests},
+        {"status", status_tests},     {"methods", methods_tests},
+        {"hard cases", hard_tests},   {NULL, NULL},
     };
     return check_run(suites);
 }
