@@ -7,13 +7,13 @@ extern const TestCase shapes_tests[];
 extern const TestCase material_tests[];
 extern const TestCase exact_tests[];
 extern const TestCase invariants_tests[];
+extern const TestCase hard_tests[];
 extern const TestCase order_tests[];
 extern const TestCase dynamics_tests[];
 extern const TestCase spots_tests[];
 extern const TestCase rules_tests[];
 extern const TestCase status_tests[];
 extern const TestCase methods_tests[];
-extern const TestCase hard_tests[];
 
 int main(void)
 {
