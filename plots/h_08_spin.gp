@@ -23,7 +23,7 @@ set rmargin at screen 0.49
 set yrange [0.9:3.6]
 set ylabel 'area / its right value' offset 1
 set label 1 heading('(a) imposed: area after ten turns') at graph 0, graph 1.06
-set key at screen 0.09, screen 0.99 left top maxrows 1 samplen 1
+set key at screen 0.09, screen 0.99 left top maxrows 2 samplen 1
 set label 2 'e^{20 π ω Δt}' at graph 0.02, first 3.36 textcolor rgb '#666666'
 plot exp(20 * pi * 0.3 / 16) with lines ls 21 notitle, \
      for [v = 1:4] list_ using (of('spin', v, 1)):'J' with points pt KIND[v] ps 1.1 lc rgb SHADE[v] \
