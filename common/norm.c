@@ -110,3 +110,32 @@ double momentum(const Points *p, Vec out)
     }
     return sum;
 }
+
+double angular_momentum(const Points *p)
+{
+    double mass = 0, x[2] = {0}, mv[2] = {0}, sum = 0;
+    const int last = DIM - 1;
+    if (DIM != 2) return NAN;
+    for (int k = 0; k < p->n; k++) {
+        const double r[] = {p->x[0][k], p->x[last][k]}, v[] = {p->v[0][k], p->v[last][k]};
+        mass += p->m[k];
+        sum += p->m[k] * (r[0] * v[1] - r[1] * v[0]);
+        for (int a = 0; a < 2; a++) x[a] += p->m[k] * r[a], mv[a] += p->m[k] * v[a];
+    }
+    return sum - (x[0] * mv[1] - x[1] * mv[0]) / mass;
+}
+
+Volumes volumes(const Samples *q)
+{
+    Volumes out = {0, INFINITY, -INFINITY};
+    for (int k = 0; k < q->n; k++) {
+        if (!(q->V0[k] > 0)) continue;
+        Mat F;
+        for (int e = 0; e < NMAT; e++) F[e] = q->F[e][k];
+        const double J = determinant(F);
+        out.sum += q->V0[k] * J;
+        out.least = J >= out.least ? out.least : J;
+        out.most = J <= out.most ? out.most : J;
+    }
+    return out;
+}

@@ -26,9 +26,16 @@ Errors displacement_errors(const Scene *scene, const Points *p, double t, Scratc
 /* e = |v_i - v(x_i)| / |v(x_i)| over nodes with mass inside the body, equal weights, W07 eq 3.1. */
 Errors projection_errors(const Scene *scene, const Nodes *n, Scratch *s);
 
+/* Volume now, sum V0 J [m^DIM], and the extremes of J. */
+typedef struct Volumes {
+    double sum, least, most;
+} Volumes;
+
+Volumes volumes(const Samples *q);
 double kinetic_energy(const Points *p);                                       /* [J] */
 double strain_energy(const Scene *scene, const Samples *q, Scratch *s);       /* [J] */
 double body_power(const Scene *scene, const Points *p, double t, Scratch *s); /* [W] */
+double angular_momentum(const Points *p);  /* [kg m^2/s] about the centre of mass; NAN but in 2D */
 double momentum(const Points *p, Vec out); /* [kg m/s]; returns sum of m |v| */
 
 #endif

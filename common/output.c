@@ -17,7 +17,9 @@ static double axis(const double *const v[DIM], int a, int k)
 
 void history_header(FILE *out)
 {
-    fputs("t,kinetic,strain,external_work,total,px,py,error_linf,dt\n", out);
+    fputs(
+        "t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume,least_J,most_J,angular\n",
+        out);
 }
 
 void history_line(FILE *out, const Moment *m)
@@ -30,7 +32,11 @@ void history_line(FILE *out, const Moment *m)
                               m->momentum[0],
                               DIM > 1 ? m->momentum[DIM > 1] : NAN,
                               m->error_linf,
-                              m->dt};
+                              m->dt,
+                              m->volume,
+                              m->least_J,
+                              m->most_J,
+                              m->angular};
     const int n = sizeof columns / sizeof *columns;
     for (int k = 0; k < n; k++) number(out, columns[k], k + 1 < n ? "," : "\n");
 }

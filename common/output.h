@@ -12,6 +12,8 @@ typedef struct Moment {
     double kinetic, strain, work; /* [J] centred in time; work of body forces */
     Vec momentum;                 /* [kg m/s] */
     double error_linf, dt;
+    double volume, least_J, most_J; /* [m^DIM] sum V0 J; [-] its extremes */
+    double angular; /* [kg m^2/s] about the centre of mass; 2D; of v half a step before x */
 } Moment;
 
 void history_header(FILE *out);

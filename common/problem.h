@@ -68,6 +68,10 @@ typedef struct Problem {
     /* How far x (current, not reference) lies inside the moving body at time t, or NULL. */
     double (*distance)(const Scene *s, const Vec x, double t);
 
+    /* Imposed motion: overwrites the velocities v of what is at x (current) at time t, before every
+     * step; may leave them alone. NULL: always free. */
+    void (*impose)(const Scene *s, int n, ConstFields x, double t, Fields v);
+
     /* Body force per mass [m/s^2] at reference position X and time t, or NULL. */
     void (*body)(const Scene *s, int n, ConstFields X, double t, Fields b);
 } Problem;

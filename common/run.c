@@ -35,12 +35,19 @@ static Side look(Loop *l, double t)
     return s;
 }
 
-static double strain_now(Loop *l)
+/* What belongs to the positions as they are. */
+static void take_state(Loop *l, Moment *m)
 {
     Points p;
     Samples q;
     l->plan->solver->view(l->self, &p, &q);
-    return strain_energy(&l->plan->scene, &q, &l->scratch);
+    m->strain = strain_energy(&l->plan->scene, &q, &l->scratch);
+    if (!l->history) return;
+    const Volumes v = volumes(&q);
+    m->volume = v.sum;
+    m->least_J = v.least;
+    m->most_J = v.most;
+    m->angular = angular_momentum(&p);
 }
 
 static Errors errors_now(Loop *l, double t)
@@ -140,7 +147,10 @@ static void run_steps(Loop *l)
     Side before = look(l, 0);
     memcpy(l->p0, before.p, sizeof l->p0);
     l->momentum = before.mv;
-    Moment m = {.dt = l->dt, .strain = strain_now(l), .error_linf = errors_now(l, 0).linf};
+    const Errors first = errors_now(l, 0);
+    Moment m = {.dt = l->dt, .error_linf = first.linf};
+    if (isnan(first.linf)) l->worst = first; /* this scene has no exact solution now */
+    take_state(l, &m);
     shoot(l, 0, false);
     for (; l->done < l->n && !grown(l) && !l->code; l->done++) {
         const double t = (double)l->done * l->dt;
@@ -161,7 +171,7 @@ static void run_steps(Loop *l)
         const Errors e = errors_now(l, t + l->dt);
         book_errors(l, e);
         m.error_linf = e.linf;
-        m.strain = strain_now(l);
+        take_state(l, &m);
         before = after;
         shoot(l, l->done + 1, false);
     }

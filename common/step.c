@@ -71,6 +71,15 @@ static void sort_if_due(Sim *sim)
         sim_sort(sim);
 }
 
+static void impose_motion(Sim *sim, double t)
+{
+    const Scene *scene = sim->setup->scene;
+    const Particles *p = &sim->p;
+    if (scene->problem->impose)
+        scene->problem->impose(scene, p->n, (const double *const *)(p->field + AT_X), t,
+                               p->field + AT_V);
+}
+
 static Status take_passes(Sim *sim, double t, double dt, bool first)
 {
     const Setup *s = sim->setup;
@@ -96,6 +105,7 @@ static Status take_passes(Sim *sim, double t, double dt, bool first)
 Status sim_step(Sim *sim, double t, double dt, bool first)
 {
     if (sim->status.code == OK) sort_if_due(sim);
+    if (sim->status.code == OK) impose_motion(sim, t);
     if (sim->status.code == OK) sim->status = take_passes(sim, t, dt, first);
     return sim->status;
 }

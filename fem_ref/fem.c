@@ -28,7 +28,9 @@ static double unit_dt(const void *self)
 static Status step(void *self, double t, double dt, bool first)
 {
     Fem *f = self;
+    const Problem *problem = f->scene->problem;
     if (f->status.code != OK) return f->status;
+    if (problem->impose) problem->impose(f->scene, f->nodes, (const double *const *)f->x, t, f->v);
     fem_move(f, t, dt, first);
     fem_strain(f);
     return f->status;

@@ -17,10 +17,13 @@ void page_verdicts(const Page *page);     /* a button a verdict */
 void page_figure_names(const Page *page); /* an option a figure that has claims */
 void page_claims(const Page *page);       /* a row a claim */
 void page_which(const Page *page);        /* the best method for each error, from study T-2 */
+void page_stability(const Page *page);    /* a row a method: limits, what breaks it, what helps */
 void page_figures(const Page *page);      /* a card a figure */
 
 /* Every method's price of each error, if dir/NAME.reach.csv is there. */
 void page_prices(const Page *page, const char *name);
+
+const char *method_label(const char *method); /* "GE-GIMP", from any dimension; or itself */
 
 void html_text(FILE *f, const char *text); /* escaped */
 void html_element(FILE *f, const char *open, const char *text, const char *close);

@@ -15,7 +15,7 @@ static Table *costs_read(const Page *page, const char *name)
     return part_read(page->dir, name, "reach", NULL);
 }
 
-static const char *label_of(const char *method)
+const char *method_label(const char *method)
 {
     for (const Engine *const *e = engines; *e; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
@@ -80,7 +80,7 @@ static void seconds(FILE *f, const Table *t, int row)
 /* "GIMP, fitted, 4 per cell, N = 20" */
 static void options(FILE *f, const Table *t, int row)
 {
-    html_text(f, label_of(table_text(t, row, "method")));
+    html_text(f, method_label(table_text(t, row, "method")));
     fputs("</b> <span class=\"soft\">", f);
     if (has_particles(t, row))
         fprintf(f, "%s, %.2g per cell, %s, ", is(t, row, "layout", "radial") ? "fitted" : "lattice",
@@ -150,7 +150,7 @@ void page_prices(const Page *page, const char *name)
           page->f);
     for (int row = 0; row + TARGETS <= t->nrow; row += TARGETS) {
         html_element(page->f, "<tr><td>", table_text(t, row, "problem"), "</td><td>");
-        html_element(page->f, "", label_of(table_text(t, row, "method")), "</td>");
+        html_element(page->f, "", method_label(table_text(t, row, "method")), "</td>");
         for (int k = 0; k < TARGETS; k++) {
             fputs("<td class=\"n\">", page->f);
             seconds(page->f, t, row + k);

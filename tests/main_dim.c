@@ -7,6 +7,7 @@ extern const TestCase shapes_tests[];
 extern const TestCase material_tests[];
 extern const TestCase exact_tests[];
 extern const TestCase invariants_tests[];
+extern const TestCase hard_tests[];
 extern const TestCase order_tests[];
 extern const TestCase dynamics_tests[];
 extern const TestCase spots_tests[];
@@ -24,7 +25,8 @@ int main(void)
         {"order", order_tests},       {"dynamics", dynamics_tests},
         {"spots", spots_tests},       {"rules", rules_tests},
         {"status", status_tests},     {"methods", methods_tests},
-        {"remedies", remedies_tests}, {NULL, NULL},
+        {"remedies", remedies_tests}, {"hard cases", hard_tests},
+        {NULL, NULL},
     };
     return check_run(suites);
 }

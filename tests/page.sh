@@ -75,6 +75,10 @@ look() {
         "$(js '(l => l.length - new Set(l).size)(Array.from(document.querySelectorAll(\"[id]\")).map(e => e.id))')" 0
     ok "$name at $width: links within the page lead somewhere" \
         "$(js 'Array.from(document.querySelectorAll(\"a[href^=\\\"#\\\"]\")).filter(a => !document.getElementById(a.hash.slice(1)) && !a.closest(\"tr[data-verdict=NOT_RUN]\")).length')" 0
+    ok "$name at $width: stability: a row a method, with marks" \
+        "$(js '(t => t.length > 8 && t.every(r => r.cells.length === 5 && r.querySelectorAll(\"a.m.ok,a.m.weak,a.m.lost\").length > 0 && r.cells[2].textContent))(Array.from(document.querySelectorAll(\"#hard tbody tr\")))')" true
+    ok "$name at $width: stability: a method breaks where it is said to" \
+        "$(js '(r => r.cells[2].textContent.startsWith(r.querySelector(\"a.m.lost\").textContent.split(\" \")[0]))(Array.from(document.querySelectorAll(\"#hard tbody tr\")).find(r => r.querySelector(\"a.m.lost\")))')" true
     rows=$(js 'rows.length')
     ok "$name at $width: claims" "$(js 'rows.length > 0')" true
     ok "$name at $width: every claim has a verdict" \
@@ -91,7 +95,7 @@ look() {
     ok "$name at $width: errors" "$(post se/log '{"type":"browser"}' | grep -o '"level":"SEVERE"[^}]*' | head -n 1)" ""
 }
 
-for study in w07_03_degenerate w07_13_sine_bar t_06_norms; do
+for study in w07_03_degenerate w07_13_sine_bar t_06_norms h_03_stretch h_14_fall; do
     "$program" study $study --out "$work/out" >/dev/null || exit 1
 done
 "$program" claims --out "$work/out" >/dev/null

@@ -1,0 +1,146 @@
+/* block.c: a unit block in an empty box, in the plainest states there are: the hard cases' scene.
+ *
+ *   free motion     x = X + (F - I)(X - X_c) + offset, uniform F = R(angle) [stretch 0; 0 1],
+ *                   uniform velocity, and what must be invisible: velocities that alternate from
+ * particle to particle. Inside, no force acts but gravity. imposed motion  spin or rate are not 0:
+ * velocities are v = w (-y, x) or v = rate (x, 0) of the position now, at every step, and there is
+ * no stress.
+ *
+ * Coordinates about the block's centre. In 1D the same along its only axis. */
+#include <math.h>
+#include "../common/problem.h"
+
+enum { BOX, STRETCH, ANGLE, OFFSET_X, OFFSET_Y, DRIFT_X, DRIFT_Y, GRAVITY, RIPPLE, SPIN, RATE };
+
+static const Param params[] = {
+    {"box", 3, 1, 1000, "m", "width of the empty square around the block", "", NULL},
+    {"stretch", 1, 0.01, 100, "", "initial stretch along x", "", NULL},
+    {"angle", 0, -360, 360, "degrees", "by which it is then turned (2D)", "", NULL},
+    {"offset_x", 0, -1, 1, "h", "how far the block is moved on the grid at first", "", NULL},
+    {"offset_y", 0, -1, 1, "h", "the same along y", "", NULL},
+    {"drift_x", 0, -10, 10, "c", "uniform velocity", "", NULL},
+    {"drift_y", 0, -10, 10, "c", "the same along y", "", NULL},
+    {"gravity", 0, -1e9, 1e9, "m/s^2", "body force per mass along the last axis, downwards", "",
+     NULL},
+    {"ripple", 0, -1, 1, "c", "velocity added with a sign that alternates between neighbours", "",
+     NULL},
+    {"spin", 0, -10, 10, "c/m", "imposed: angular velocity (2D)", "", NULL},
+    {"rate", 0, -10, 10, "c/m", "imposed: rate of stretch along x", "", NULL},
+    {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+
+static bool is_imposed(const Scene *s)
+{
+    return fabs(s->par[SPIN]) > 0 || fabs(s->par[RATE]) > 0;
+}
+
+static int init(Scene *s, char why[128])
+{
+    (void)why;
+    const double E = 1e4, nu = DIM == 1 ? 0 : 0.3;
+    s->mat = material_make(NEO_HOOKEAN, E, nu, 1);
+    s->c = wave_speed_bar(&s->mat);
+    if (is_imposed(s)) s->mat = material_make(NEO_HOOKEAN, 1e-15 * E, nu, 1);
+    for (int d = 0; d < DIM; d++) {
+        s->hi[d] = s->par[BOX];
+        s->body_lo[d] = 0.5 * s->par[BOX] - 0.5;
+        s->body_hi[d] = 0.5 * s->par[BOX] + 0.5;
+    }
+    s->error_scale = 1;
+    return 0;
+}
+
+/* Velocity gradient of an imposed motion [1/s]; zero of a free one. */
+static void imposed_gradient(const Scene *s, double L[2][2])
+{
+    L[0][0] = s->par[RATE] * s->c;
+    L[0][1] = -s->par[SPIN] * s->c;
+    L[1][0] = s->par[SPIN] * s->c;
+    L[1][1] = 0;
+}
+
+static double about_centre(const Scene *s, int axis, double x)
+{
+    return axis < DIM ? x - 0.5 * s->par[BOX] : 0;
+}
+
+static void impose(const Scene *s, int n, ConstFields x, double t, Fields v)
+{
+    double L[2][2];
+    (void)t;
+    if (!is_imposed(s)) return;
+    imposed_gradient(s, L);
+    for (int a = 0; a < DIM && a < 2; a++)
+        for (int p = 0; p < n; p++)
+            v[a][p] =
+                L[a][0] * about_centre(s, 0, x[0][p]) + L[a][1] * about_centre(s, 1, x[DIM > 1][p]);
+}
+
+/* +1 and -1 in turns along every axis: the points' spacing is that of the first two. */
+static double alternating(ConstFields X, int n, int p)
+{
+    const double spacing = n > 1 ? X[0][1] - X[0][0] : 1;
+    long steps = 0;
+    for (int d = 0; d < DIM; d++) steps += lround((X[d][p] - X[d][0]) / spacing);
+    return steps % 2 ? -1 : 1;
+}
+
+static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fields F, Fields L)
+{
+    const double angle = DIM > 1 ? s->par[ANGLE] * M_PI / 180 : 0;
+    const double H[2][2] = {{cos(angle) * s->par[STRETCH] - 1, -sin(angle)},
+                            {sin(angle) * s->par[STRETCH], cos(angle) - 1}};
+    const double offset[] = {s->par[OFFSET_X] * s->cell, s->par[OFFSET_Y] * s->cell};
+    const double drift[] = {s->par[DRIFT_X] * s->c, s->par[DRIFT_Y] * s->c};
+    double grad[2][2];
+    imposed_gradient(s, grad);
+    for (int a = 0; a < DIM && a < 2; a++)
+        for (int p = 0; p < n; p++) {
+            u[a][p] = offset[a];
+            v[a][p] = drift[a] + s->par[RIPPLE] * s->c * alternating(X, n, p);
+            for (int b = 0; b < DIM && b < 2; b++) {
+                u[a][p] += H[a][b] * about_centre(s, b, X[b][p]);
+                v[a][p] += grad[a][b] * about_centre(s, b, X[b][p]);
+                F[a * DIM + b][p] += H[a][b];
+                L[a * DIM + b][p] = grad[a][b];
+            }
+        }
+}
+
+/* Of a block without stress; else nobody knows. */
+static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
+{
+    const double strange = fabs(s->par[STRETCH] - 1) + fabs(s->par[ANGLE]) + fabs(s->par[RIPPLE]);
+    const bool known = !is_imposed(s) && !(strange > 0);
+    const double offset[] = {s->par[OFFSET_X] * s->cell, s->par[OFFSET_Y] * s->cell};
+    const double drift[] = {s->par[DRIFT_X] * s->c, s->par[DRIFT_Y] * s->c};
+    (void)X;
+    for (int a = 0; a < DIM && a < 2; a++) {
+        const double g = a == DIM - 1 ? s->par[GRAVITY] : 0;
+        for (int p = 0; p < n; p++)
+            u[a][p] = known ? offset[a] + drift[a] * t - 0.5 * g * t * t : NAN;
+    }
+}
+
+static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
+{
+    (void)X, (void)t;
+    for (int a = 0; a < DIM; a++)
+        for (int p = 0; p < n; p++) b[a][p] = a == DIM - 1 ? -s->par[GRAVITY] : 0;
+}
+
+const Problem problem_block = {
+    .info = {.name = "block",
+             .label = "block",
+             .about = "a block in uniform motion and strain: what should not change",
+             .source = "",
+             .params = params},
+    .cells = 16,
+    .ppc = IN_THIS_DIM(2, 4, 8),
+    .cfl = 0.3,
+    .steps = 100,
+    .init = init,
+    .start = start,
+    .exact = exact,
+    .body = body,
+    .impose = impose,
+};
