@@ -11,13 +11,16 @@
  * Real cells alone are summed: on a symmetry line the mirrored half doubles M a0 and D alike. */
 #include "wls.h"
 
+/* Components that a wall holds or a symmetry line cancels at node i of a row. */
 static unsigned held_at(const Grid *g, int row, int i)
 {
-    unsigned held = g->hold[0][i];
-    for (int d = 1; d < DIM; d++) {
-        held |= g->hold[d][row % g->n[d]];
-        row /= g->n[d];
-    }
+    int index[DIM];
+    unsigned held = 0;
+    index[0] = i;
+    for (int d = 1; d < DIM; d++) index[d] = row % g->n[d], row /= g->n[d];
+    for (int d = 0; d < DIM; d++) held |= g->hold[d][index[d]];
+    for (int k = 0; k < g->nmirror; k++)
+        if (index[g->mirror[k].axis] == g->mirror[k].at) held |= 1u << g->mirror[k].axis;
     return held;
 }
 
@@ -53,8 +56,9 @@ static void finish_row(Sim *sim, int row)
         const Line in = w->inertia[at];
         Line *node = &g->node[at];
         if (!wls_is_sound(sim, at) || !(in[I_M] > 0)) continue;
+        const unsigned held = held_at(g, row, i);
         for (int a = 0; a < DIM; a++) {
-            const double acc = 2 * in[I_A + a] - in[I_MA + a] / in[I_M];
+            const double acc = held >> a & 1 ? 0 : 2 * in[I_A + a] - in[I_MA + a] / in[I_M];
             const double outer = g->force ? g->force[at * DIM + (size_t)a] : 0;
             (*node)[FLUX + a] = (*node)[0] * acc - outer;
             w->inertia[at][I_MA + a] = acc;
