@@ -2,7 +2,10 @@
  * reading changed at a time. The paper leaves a tail below second order unexplained; its causes are
  * the distance to a mean of surface points and the one-point rule in cut cells. Two readings of the
  * text that do not run stand here too: constant node values, and the mean of forces as printed.
- * Largest error over all particles and steps, eq 38; CFL .3. */
+ * Largest error over all particles and steps, eq 38; CFL .3.
+ *
+ * Where the tail starts: how far the points at which cells are cut lie from the true surface, at
+ * the start, when fields are exact. */
 #include <math.h>
 #include <string.h>
 #include "pages.h"
@@ -50,6 +53,11 @@ static const struct {
     [LITERAL] = {false, AVERAGE, "literal"},
 };
 
+static const char name[] = "t_01_wls";
+enum { METHODS = 3, CUT_MESHES = 6 };
+static const char *const cut_methods[METHODS] = {"wls", "wls2", "ge_wls"};
+static const int cut_cells[CUT_MESHES] = {8, 16, 32, 64, 128, 256};
+
 enum { MESHES = 9, FINE = 11 };
 static const int cells[FINE] = {8, 11, 16, 23, 32, 45, 64, 91, 128, 181, 256};
 
@@ -65,6 +73,45 @@ static void cases(Cases *list, bool quick)
                      value ? names[runs[r].setting] : "", value ? "=" : "", value ? value : "");
         }
     }
+    for (int m = 0; m < METHODS; m++)
+        for (int k = 0; k < (quick ? 2 : CUT_MESHES); k++) {
+            char file[64];
+            snprintf(file, sizeof file, "%s.%s.%d.csv", name, cut_methods[m], cut_cells[k]);
+            case_add_with(list, "patches", file, "run ring --method %s --cells %d --set steps=1",
+                          cut_methods[m], cut_cells[k]);
+        }
+}
+
+/* Largest distance [m] of any cut point of a file of patches from the ring's radii at the start. A
+ * point on an edge of a cell has one coordinate on a grid line. */
+static double cut_error(const Table *t, int n)
+{
+    double most = NAN;
+    for (int row = 0; row < t->nrow; row++) {
+        const double x = table_number(t, row, "x") * n, y = table_number(t, row, "y") * n;
+        const double off_x = fabs(x - round(x)), off_y = fabs(y - round(y)), r = hypot(x, y) / n;
+        if (!(table_number(t, row, "cut") > 0) || (off_x > 1e-7) == (off_y > 1e-7)) continue;
+        most = fmax(most, fmin(fabs(r - 0.625), fabs(r - 1.1)));
+    }
+    return most;
+}
+
+static int tables(const char *dir, bool quick, Fault *fault)
+{
+    char path[PATH_TEXT], part[64];
+    part_path(path, dir, name, "cuts");
+    FILE *f = file_begin(path, fault);
+    if (f) fputs("method,cells,error\n", f);
+    for (int m = 0; f && m < METHODS; m++)
+        for (int k = 0; k < (quick ? 2 : CUT_MESHES); k++) {
+            snprintf(part, sizeof part, "%s.%d", cut_methods[m], cut_cells[k]);
+            Table *t = part_read(dir, name, part, NULL);
+            if (t)
+                fprintf(f, "%s,%d,%.17g\n", cut_methods[m], cut_cells[k],
+                        cut_error(t, cut_cells[k]));
+            table_free(t);
+        }
+    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
 static const char *setting(int run, int which)
@@ -76,8 +123,9 @@ static const char *setting(int run, int which)
 static void pick(Curve *c, const Table *rows, const char *want, int run)
 {
     curve_pick(c, rows, "cells", want,
-               "method=%s params=A=0.1;angle=0;average=%s;distance=%s;offset_x=0;offset_y=0;"
-               "quadrature=%s;return=%s;sector=quarter;spurious_velocity=%s;stress=%s;"
+               "method=%s params=A=0.1;angle=0;average=%s;distance=%s;hermite=0;mass=lumped;"
+               "offset_x=0;offset_y=0;quadrature=%s;return=%s;sector=quarter;spurious_velocity=%s;"
+               "stress=%s;"
                "surface_per_cell=0;trigger=%s",
                runs[run].cures ? "wls2" : "wls", setting(run, AVERAGE), setting(run, DISTANCE),
                setting(run, QUADRATURE), setting(run, RETURN), setting(run, SPURIOUS),
@@ -149,18 +197,44 @@ static void check_failures(Check *c, const Table *rows)
           lost, 5, 5);
 }
 
+/* From N = 16 on: PHYSICS 8 (b). */
+static void check_cuts(Check *c, const char *dir)
+{
+    double order[METHODS], largest[METHODS];
+    Table *t = part_read(dir, name, "cuts", NULL);
+    for (int m = 0; m < METHODS; m++) {
+        Curve curve;
+        order[m] = largest[m] = NAN;
+        if (!t) continue;
+        curve_pick(&curve, t, "cells", "error", "method=%s", cut_methods[m]);
+        if (curve.n == CUT_MESHES) order[m] = -order_fit(4, curve.x + 1, curve.y + 1, NULL);
+        for (int k = 0; k < curve.n; k++)
+            largest[m] = fmax(largest[m], curve.y[k] * curve.x[k] * curve.x[k]);
+    }
+    table_free(t);
+    claim(c, "T-1.cuts-mean",
+          "cut points by the mean of surface points fall below second order: order over 16 ... 128",
+          order[0], 0.6, 1.8);
+    claim(c, "T-1.cuts-normals", "by normals they are of second order", order[1], 1.8, 2.2);
+    claim(c, "T-1.cuts-bound", "largest distance by normals at any N, in h^2 [1/m]", largest[1], 0,
+          0.2);
+    claim(c, "T-1.cuts-curved", "on a curved surface they are of third order or better", order[2],
+          2.8, 5);
+}
+
 static void check(Check *c, const Table *rows, const char *dir)
 {
-    (void)dir;
+    check_cuts(c, dir);
     check_values(c, rows);
     check_causes(c, rows);
     check_failures(c, rows);
 }
 
 const Study study_t_01_wls = {
-    .name = "t_01_wls",
+    .name = name,
     .figure = "T-1",
     .about = "WLS on the ring: one reading changed at a time, and where its tail comes from",
     .cases = cases,
+    .tables = tables,
     .check = check,
 };
