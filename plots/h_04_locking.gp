@@ -3,7 +3,7 @@ tall = 1.5
 load plots.'/style.gp'
 locking_ = dir.'/'.name.'.locking.csv'
 seen = ' '
-find(m) = strstrt(seen, ' '.m.' ') ? 0 : (seen = seen.m.' ', 0)
+find(m) = m eq 'method' || strstrt(seen, ' '.m.' ') ? 0 : (seen = seen.m.' ', 0)
 stats locking_ using (find(strcol('method'))) nooutput
 set datafile missing NaN
 set multiplot layout 2,2 margins 0.09,0.985,0.2,0.94 spacing 0.1,0.11
