@@ -139,3 +139,18 @@ Volumes volumes(const Samples *q)
     }
     return out;
 }
+
+int fastest_point(const Points *p, double *speed)
+{
+    int fastest = -1;
+    *speed = 0;
+    for (int k = 0; k < p->n; k++) {
+        double square = 0;
+        for (int d = 0; d < DIM; d++) square += p->v[d][k] * p->v[d][k];
+        const double own = sqrt(square);
+        if (!(p->m[k] > 0) || own < *speed) continue;
+        if (own > *speed || fastest < 0 || p->id[k] < fastest) fastest = p->id[k];
+        *speed = own;
+    }
+    return fastest;
+}

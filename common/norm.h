@@ -38,4 +38,7 @@ double body_power(const Scene *scene, const Points *p, double t, Scratch *s); /*
 double angular_momentum(const Points *p);  /* [kg m^2/s] about the centre of mass; NAN but in 2D */
 double momentum(const Points *p, Vec out); /* [kg m/s]; returns sum of m |v| */
 
+/* Id of the fastest point with mass (the lowest of equals; -1: none), and its speed [m/s]. */
+int fastest_point(const Points *p, double *speed);
+
 #endif

@@ -78,15 +78,7 @@ static void note_growth(Loop *l)
     Samples q;
     l->plan->solver->view(l->self, &p, &q);
     l->growth_step = l->done;
-    l->fastest = -1;
-    for (int k = 0; k < p.n; k++) {
-        double square = 0;
-        for (int d = 0; d < DIM; d++) square += p.v[d][k] * p.v[d][k];
-        const double speed = sqrt(square);
-        if (p.id[k] < 0 || !(p.m[k] > 0) || speed < l->speed) continue;
-        if (speed > l->speed || l->fastest < 0 || p.id[k] < l->fastest) l->fastest = p.id[k];
-        l->speed = speed;
-    }
+    l->fastest = fastest_point(&p, &l->speed);
 }
 
 /* Books the instant t_k: energies centred in time, work by the trapezoidal rule. */

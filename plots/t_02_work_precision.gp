@@ -1,8 +1,8 @@
-# Error against what it costs: four problems; CPU time on the left, particle-steps on the right.
-tall = 2.3
+# Error against what it costs: six problems; CPU time on the left, particle-steps on the right.
+tall = 3.3
 load plots.'/style.gp'
 points_ = dir.'/'.name.'.points.csv'
-set multiplot layout 4,2 margins 0.1,0.985,0.125,0.965 spacing 0.09,0.045
+set multiplot layout 6,2 margins 0.1,0.985,0.09,0.975 spacing 0.09,0.032
 set logscale xy
 set format x '10^{%T}'
 set format y '10^{%T}'
@@ -17,22 +17,23 @@ count = 0
 note(m) = m eq 'method' || strstrt(seen, ' '.m.' ') ? 0 : (seen = seen.m.' ', count = count + 1, 0)
 seen = ' '
 stats points_ using (note(strcol('method'))) nooutput
-PROBLEMS = 'ring plate_vibration sine_bar squeeze'
-array TITLE[4] = ['Ring: largest error [m]', 'Plate, A = 0.4 mm: largest error / A', \
+PROBLEMS = 'ring axis_mms vortex plate_vibration sine_bar squeeze'
+array TITLE[6] = ['Ring: largest error [m]', 'Axis-aligned displacement: largest error / A', \
+                  'Vortex, G = 0.1: largest error [m]', 'Plate, A = 0.4 mm: largest error / A', \
                   'Sine bar, exact law: largest error / A', 'Squeeze, quadratic field: relative error of one projection']
-do for [k = 1:4] {
+do for [k = 1:6] {
     p = word(PROBLEMS, k)
-    set yrange [*:(k == 4 ? 0.03 : 1)]
+    set yrange [*:(k == 6 ? 0.03 : 1)]
     set label 1 heading(TITLE[k]) at graph 0, graph 1.05
     do for [c = 1:2] {
         cost = c == 1 ? 'cpu_s' : 'work'
         own = c == 1 ? 'front_own' : 'front_own_work'
         all_ = c == 1 ? 'front' : 'front_work'
         if (c == 2) { unset label 1 }
-        set label 2 (c == 1 ? 'CPU time of the step loop [s]' : k == 4 ? 'particles of one projection' : \
+        set label 2 (c == 1 ? 'CPU time of the step loop [s]' : k == 6 ? 'particles of one projection' : \
             'particle-steps (FEM: element-steps)') at graph 0.98, graph 0.94 right font sprintf(',%d', fmt eq 'png' ? 16 : 11)
-        if (k == 4 && c == 1) {
-            set key at screen 0.1, screen 0.095 left top maxrows 4 samplen 2.2 width 1
+        if (k == 6 && c == 1) {
+            set key at screen 0.1, screen 0.068 left top maxrows 4 samplen 2.2 width 1
         } else { set key off }
         plot points_ using (every(p, cost, all_)):'error' smooth unique with steps lw 7 lc rgb '#e2e2d6' notitle, \
              for [m in seen] points_ using (c == 1 ? of(p, m, cost) : NaN):'error' with points ls style(m) ps 0.35 notitle, \

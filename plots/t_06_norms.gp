@@ -1,10 +1,10 @@
 # One run, six norms: errors on one mesh, and the orders that each norm reports.
-tall = 1.35
+tall = 1.9
 load plots.'/style.gp'
 norms_ = dir.'/'.name.'.norms.csv'
 same_ = dir.'/'.name.'.same.csv'
 set datafile missing NaN
-set multiplot layout 2,2 margins 0.1,0.985,0.19,0.94 spacing 0.1,0.16
+set multiplot layout 3,2 margins 0.1,0.985,0.125,0.96 spacing 0.1,0.105
 of(p, m) = strcol('problem') eq p && strcol('method') eq m ? column('norm') : NaN
 set xrange [-0.4:5.4]
 set xtics ('largest' 0, 'rms' 1, 'mean' 2, 'largest' 3, 'rms' 4, 'mean' 5)
@@ -51,9 +51,13 @@ set arrow 1 from 2.5, graph 0 to 2.5, graph 1 nohead ls 21
 set label 2 'over all time' at 1, graph -0.16 center
 set label 3 'at the end' at 4, graph -0.16 center
 set label 1 heading('Ring: order in space')
-set key at screen 0.1, screen 0.065 left top maxrows 1
+set key at screen 0.1, screen 0.04 left top maxrows 1
 plot for [m in 'gimp ge_gimp fem'] norms_ using (of('ring', m)):'order' with linespoints ls style(m) dt 3 ps 1.1 title label(m)
 set key off
 set label 1 heading('Sine bar, exact law: order in space')
 plot for [m in 'gimp ge_gimp'] norms_ using (of('sine_bar', m)):'order' with linespoints ls style(m) dt 3 ps 1.1
+set label 1 heading('Axis-aligned displacement: order in space')
+plot for [m in 'gimp ge_gimp fem'] norms_ using (of('axis_mms', m)):'order' with linespoints ls style(m) dt 3 ps 1.1
+set label 1 heading('Vortex, fitted points: order in space')
+plot for [m in 'gimp ge_gimp fem'] norms_ using (of('vortex', m)):'order' with linespoints ls style(m) dt 3 ps 1.1
 unset multiplot

@@ -7,7 +7,7 @@
 #include <math.h>
 #include "../common/problem.h"
 
-enum { A, MODE, LAW };
+enum { A, MODE, LAW, NU };
 enum { SHEAR, DILATATIONAL };
 enum { OMEGA, SIGN }; /* s->k */
 
@@ -16,13 +16,14 @@ static const Param params[] = {
     {"mode", SHEAR, 0, 1, "", "which of the two modes with this period in space", "Soedel 2004",
      "shear|dilatational"},
     {"law", NEO_HOOKEAN, 0, 1, "", "material law", "W11 eq 32", "neo_hookean|linear"},
+    {"nu", 0.3, 0, 0.4999, "", "Poisson's ratio", "", NULL},
     {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 static int init(Scene *s, char why[128])
 {
     const bool shear = s->par[MODE] < DILATATIONAL;
     (void)why;
-    s->mat = material_make((Law)s->par[LAW], 1000, 0.3, 1);
+    s->mat = material_make((Law)s->par[LAW], 1000, s->par[NU], 1);
     for (int d = 0; d < DIM; d++) {
         s->lo[d] = -0.25;
         s->hi[d] = 1.25;

@@ -78,15 +78,6 @@ static int rule_of(const Table *rows, int row)
     return 0;
 }
 
-/* The value of a setting in params; NAN if it is not there. */
-static double setting(const Table *rows, int row, const char *which)
-{
-    const char *at = strstr(table_text(rows, row, "params"), which);
-    double value = NAN;
-    if (at) sscanf(at + strlen(which), "=%lf", &value);
-    return value;
-}
-
 /* How many times as long the bar is: mean over the points of its lowest layer. NAN: no file. */
 static double stretch_of(const char *dir, const char *method, int rule)
 {
@@ -133,7 +124,7 @@ static int column_of(const Table *rows, int row, bool quick)
     const bool bar = strcmp(table_text(rows, row, "problem"), "hanging_bar") == 0;
     if (bar) return table_number(rows, row, "t_end") > 2 * bar_end ? TURNS : -1;
     for (int k = 0; k < TURNS; k++)
-        if (fabs(setting(rows, row, "G") - turns[k]) < 1e-12 &&
+        if (fabs(row_setting(rows, row, "G") - turns[k]) < 1e-12 &&
             (quick || fabs(table_number(rows, row, "cells") - FINE) < 0.5))
             return k;
     return -1;
@@ -165,7 +156,7 @@ static void write_errors(FILE *f, const Table *rows)
 {
     fputs("method,rule,cells,error,status\n", f);
     for (int row = 0; row < rows->nrow; row++)
-        if (fabs(setting(rows, row, "G") - 0.5) < 1e-12)
+        if (fabs(row_setting(rows, row, "G") - 0.5) < 1e-12)
             fprintf(f, "%s,%s,%g,%.10g,%s\n", table_text(rows, row, "method"),
                     rules[rule_of(rows, row)], table_number(rows, row, "cells"),
                     table_number(rows, row, "error_linf"), is_lost(rows, row) ? "lost" : "ok");

@@ -5,6 +5,7 @@
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { MOST_CONDITIONS = 8, WHERE_TEXT = 512 };
@@ -42,6 +43,22 @@ double value_pick(const Table *rows, const char *want, const char *where, ...)
     vsnprintf(text, sizeof text, where, args);
     va_end(args);
     return rows_pick(rows, split(text, conditions), conditions, want, 1, &value) ? value : NAN;
+}
+
+double row_setting(const Table *rows, int row, const char *setting)
+{
+    const size_t n = strlen(setting);
+    double value = NAN;
+    for (const char *at = table_text(rows, row, "params"); *at;) {
+        if (strncmp(at, setting, n) == 0 && at[n] == '=') {
+            char *end;
+            value = strtod(at + n + 1, &end);
+            return *end == ';' || !*end ? value : NAN;
+        }
+        at += strcspn(at, ";");
+        at += *at == ';';
+    }
+    return value;
 }
 
 double curve_at(const Curve *c, double x)

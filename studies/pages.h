@@ -30,6 +30,9 @@ double curve_deviation(const Curve *c, int n, const double printed[][3]);
 double value_pick(const Table *rows, const char *want, const char *where, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* The number of a setting in the row's params; NAN if it is not there or a word. */
+double row_setting(const Table *rows, int row, const char *setting);
+
 /* Is this a method (or FEM) of the plane? */
 bool method_known(const char *name);
 

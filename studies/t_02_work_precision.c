@@ -52,6 +52,15 @@ static const Ladder ladders[] = {
      false,
      true},
     {&engine_2d, "ring", {"1", "4", "9"}, {8, 16, 32, 48, 64, 128}, {4, 4, 3}, 6, true, true},
+    {&engine_2d, "axis_mms", {"1", "4", "9"}, {8, 16, 32, 48, 64}, {3, 3, 2}, 5, false, false},
+    {&engine_2d,
+     "vortex --set G=.1",
+     {"1", "4", "9"},
+     {8, 16, 32, 48, 64},
+     {3, 3, 2},
+     5,
+     true,
+     false},
 };
 enum { LADDERS = sizeof ladders / sizeof *ladders };
 

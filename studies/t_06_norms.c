@@ -28,6 +28,8 @@ typedef struct Ladder {
 static const Ladder ladders[] = {
     {"ring", "", {"gimp", "ge_gimp", "fem"}, {8, 16, 32, 64}, 32},
     {"sine_bar", " --set law=linear", {"gimp", "ge_gimp"}, {10, 20, 40, 80, 160}, 40},
+    {"axis_mms", "", {"gimp", "ge_gimp", "fem"}, {8, 16, 32}, 32},
+    {"vortex", " --set G=.1 --set layout=radial", {"gimp", "ge_gimp", "fem"}, {8, 16, 32}, 32},
 };
 enum { LADDERS = sizeof ladders / sizeof *ladders };
 
@@ -245,6 +247,15 @@ static void check_tables(Check *c, const Table *t, const Table *same)
           order_spread(t, "ring", "fem"), 0, 0.25);
     claim(c, "T-6.bar-order", "sine bar, smooth: GIMP's orders differ by hardly anything",
           order_spread(t, "sine_bar", "gimp"), 0, 0.05);
+    claim(c, "T-6.axis-fem-order",
+          "axis-aligned displacement: FEM is of second order in all six: largest less least",
+          order_spread(t, "axis_mms", "fem"), 0, 0.25);
+    claim(c, "T-6.vortex-fem-order", "vortex: the same", order_spread(t, "vortex", "fem"), 0, 0.25);
+    claim(c, "T-6.axis-gimp-order", "GIMP, too, where all is smooth: order of the largest error",
+          norm(t, "axis_mms", "gimp", 0, "order"), 1.8, 2.2);
+    claim(c, "T-6.axis-ge-order",
+          "GE-GIMP there: the norm decides: largest less least order of six (own pin)",
+          order_spread(t, "axis_mms", "ge_gimp"), 0.3, 1);
     claim(c, "T-6.ratio",
           "ring, N = 32: GIMP's error over FEM's: the largest ratio of six over the least",
           ratio_spread(t), 3, 6);

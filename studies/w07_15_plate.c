@@ -30,8 +30,8 @@ static void cases(Cases *list, bool quick)
 static void pick(Curve *c, const Table *rows, const char *x, int method, const char *A,
                  const char *law)
 {
-    curve_pick(c, rows, x, "error_linf", "method=%s params=A=%s;law=%s;mode=shear", methods[method],
-               A, law);
+    curve_pick(c, rows, x, "error_linf", "method=%s params=A=%s;law=%s;mode=shear;nu=0.3",
+               methods[method], A, law);
 }
 
 static const double printed[METHODS][PRINTED][3] = {
