@@ -22,9 +22,9 @@ set ytics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2)
 set xlabel '{/Symbol e}/h, depth of the last particle in a fresh cell (1D)'
 set ylabel 'largest stable {/Symbol D}t c/h'
 set label 1 heading('A node that is hardly touched, cd') at graph 0, graph 1.09
-set label 2 'GE-MPM, 2 ({/Symbol e}/h)^{1/2} = 2/{/Symbol w}_{max}' at 1.3e-4, 0.0295 rotate by 40 font small textcolor rgb '#444444'
-set label 3 'MPM, (2{/Symbol e}/h)^{1/2}' at 2.2e-4, 0.0162 rotate by 40 font small textcolor rgb '#444444'
-set label 6 "WLS, its surface\nso deep" at 0.0035, 0.051 left font small textcolor rgb COLOUR[style('wls')]
+set label 2 'GE-MPM: 2 ({/Symbol e}/h)^{1/2} = 2/{/Symbol w}_{max}' at 0.0018, 0.026 left font small textcolor rgb COLOUR[style('ge_mpm')]
+set label 3 'MPM: (2{/Symbol e}/h)^{1/2}' at 0.0018, 0.0205 left font small textcolor rgb COLOUR[style('mpm')]
+set label 4 'WLS: its surface so deep' at 0.0018, 0.0162 left font small textcolor rgb COLOUR[style('wls')]
 set key off
 at_(m, e) = strcol('method') eq m && strcol('edge') eq e && column('dim') == 1 && column('critical') > 0 ? column('depth') : NaN
 plot 2 * sqrt(x) with lines ls 20, sqrt(2 * x) with lines ls 21, \
