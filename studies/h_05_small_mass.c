@@ -73,7 +73,7 @@ static void add_ladder(Cases *list, int dim, const char *method, int e, int d)
 
 static void cases(Cases *list, bool quick)
 {
-    for (int dim = 0; dim < DIMS; dim++)
+    for (int dim = 0; dim < (quick ? 1 : DIMS); dim++)
         for (const Info *const *m = scenes[dim].engine->methods; *m; m++)
             for (int e = 0; e < EDGES; e++)
                 for (int d = 0; d < DEPTHS; d++)
