@@ -135,15 +135,16 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
             if (spec_set(spec, pair, fault)) return FAULT_USAGE;
         }
     const double usual = plan->setup.method && plan->setup.method->surface;
-    int n = 0; /* what the defaults would say anyway, or is said elsewhere, is left out */
+    int n = 0; /* what the defaults would say anyway, or is said elsewhere, is left out; but not
+                * the dimension, without which this were another run */
     for (int k = 0; k < spec->nset; k++) {
         const Param *p = param_find(common_params, spec->set[k].name);
         double value = 0;
         char takes[128];
-        const bool keep =
-            !p || (p != &common_params[P_PARTICLES] &&
-                   !param_parse(p, spec->set[k].value, &value, takes) &&
-                   fabs(value - (p == &common_params[P_LAYOUT] ? usual : p->value)) > 0);
+        const bool read = p && !param_parse(p, spec->set[k].value, &value, takes);
+        const double known = p == &common_params[P_LAYOUT] ? usual : p ? p->value : 0;
+        const bool differs = p == &common_params[P_DIM] || fabs(value - known) > 0;
+        const bool keep = !p || (p != &common_params[P_PARTICLES] && read && differs);
         if (!keep) continue;
         if (p) { /* as it would be printed: 3, not 03 */
             param_print(p, value, text);

@@ -74,7 +74,7 @@ set xrange [0:1]
 set yrange [0:1]
 set label 1 heading('Ten periods with the default integrator: what each CFL number (across) ends in') \
     at 0, 0.985 font FONT[18]
-set label 2 '1D: sine bar, h = 1/32, each amplitude with lines for PPC 1, 2, 2.5, 4; 2D: axis-aligned waves, h = 1/8, PPC 4, 9 (a mesh has none)' \
+set label 2 '1D: sine bar, h = 1/40, each amplitude with lines for PPC 1, 2, 2.5, 4; 2D: axis-aligned waves, h = 1/8, PPC 4, 9 (a mesh has none)' \
     at 0, 0.484 font FONT[14]
 x_ = 0
 do for [k = 1:5] {
@@ -83,7 +83,7 @@ do for [k = 1:5] {
     x_ = x_ + 0.03 + 0.0088 * strlen(MEANING[k])
 }
 set label 3 heading('Largest stable CFL number at the worst PPC, by integrator; three amplitudes in 1D, two in 2D') at 0, 0.43 font FONT[18]
-set label 4 'Greener is larger; 0: not even the smallest tried (0.05); 2: the largest tried' at 0, 0.012 font FONT[14]
+set label 4 'Not the default integrator: h = 1/32 in 1D; refused pairs at PPC 2 (2D: 4) only. 0: not even 0.1 (default integrators: 0.05); 2: the largest tried' at 0, 0.012 font FONT[14]
 plot NaN
 unset for [k = 1:5] object k
 
@@ -99,7 +99,8 @@ set xrange [-0.6:30.2]
 set yrange [methods_ - 0.5:-0.5]
 set ytics ()
 do for [k = 1:methods_] { set ytics add (label(word(MINE, k)) k - 1) }
-set ytics font F14
+set ytics font F14 scale 0 nomirror
+set x2tics scale 0 nomirror
 set x2tics ('cd' 1, 'usl' 4.3, 'musl' 7.6, 'uvf' 10.9, 'usf' 14.2, 'musl, fresh L' 17.5, 'uvf, fresh L' 20.8, 'cd' 24.5, \
             'uvf' 26.8, 'uvf, fresh L' 29.1) font F13
 set x2range [-0.6:30.2]

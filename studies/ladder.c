@@ -38,7 +38,7 @@ static int find(const Ladder *list, int n, int last, const Table *rows, const in
 }
 
 /* In its place; a rung that is there already counts once. */
-static void add_rung(Ladder *l, const Table *rows, int row)
+static void add_rung(Ladder *l, const Table *rows, int row, Grade grade)
 {
     const double cfl = table_number(rows, row, "cfl");
     int at = l->n;
@@ -51,7 +51,7 @@ static void add_rung(Ladder *l, const Table *rows, int row)
     }
     l->row[at] = row;
     l->cfl[at] = cfl;
-    l->grade[at] = row_grade(rows, row);
+    l->grade[at] = grade;
 }
 
 int ladders_read(const Table *rows, Ladder **out)
@@ -66,7 +66,7 @@ int ladders_read(const Table *rows, Ladder **out)
             *out = one_more(*out, n, sizeof **out);
             (*out)[n++] = (Ladder){0};
         }
-        add_rung(&(*out)[at], rows, row);
+        add_rung(&(*out)[at], rows, row, row_grade(rows, row));
     }
     return n;
 }
@@ -77,17 +77,6 @@ double ladder_limit(const Ladder *l, Grade worst, int *first)
     while (k < l->n && l->grade[k] <= worst) k++;
     *first = k < l->n ? k : -1;
     return k > 0 ? l->cfl[k - 1] : 0;
-}
-
-/* The CFL number that tells more of a limit, or NAN. */
-static double next_rung(const Ladder *l, Grade worst, double relative, double least)
-{
-    int first;
-    const double low = ladder_limit(l, worst, &first);
-    if (first < 0) return NAN;
-    const double high = l->cfl[first];
-    if (first == 0) return high / 2 >= least ? high / 2 : NAN;
-    return high - low > relative * high ? (low + high) / 2 : NAN;
 }
 
 /* The run of a row at another CFL number. */
@@ -108,15 +97,10 @@ static void add_case(Cases *list, const Table *rows, int row, double cfl)
     case_add(list, "%s", text);
 }
 
-void ladders_refine(Cases *list, const Table *rows, double relative, double least)
+void ladder_split(Cases *list, const Table *rows, const Ladder *l, int k, double relative,
+                  double least)
 {
-    Ladder *ladders;
-    const int n = ladders_read(rows, &ladders);
-    for (const Ladder *l = ladders; l < ladders + n; l++) {
-        const double stable = next_rung(l, STABLE, relative, least);
-        const double kept = next_rung(l, GREW, relative, least);
-        if (isfinite(stable)) add_case(list, rows, l->row[0], stable);
-        if (isfinite(kept) && !(fabs(kept - stable) <= 0)) add_case(list, rows, l->row[0], kept);
-    }
-    free(ladders);
+    const double high = l->cfl[k + 1], low = k < 0 ? 0 : l->cfl[k], cfl = (low + high) / 2;
+    if (k < 0 ? cfl < least * (1 - 1e-9) : high - low <= relative * high) return;
+    add_case(list, rows, l->row[0], cfl);
 }

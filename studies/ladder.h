@@ -21,6 +21,7 @@ typedef struct Ladder {
     Grade grade[MOST_RUNGS];
 } Ladder;
 
+/* By the status of the row. */
 Grade row_grade(const Table *rows, int row);
 
 /* All ladders of a table in order of their first rows; the caller frees *out. How many. */
@@ -30,8 +31,9 @@ int ladders_read(const Table *rows, Ladder **out);
  * not. *first is the rung that is worse, or -1 if none is: then the limit is what was tried. */
 double ladder_limit(const Ladder *l, Grade worst, int *first);
 
-/* Adds what bisects the gap above both limits (STABLE, GREW) to `relative` of its upper end, and
- * what halves a lowest rung that fails while it stays above `least`. */
-void ladders_refine(Cases *list, const Table *rows, double relative, double least);
+/* Adds the run in the middle between rungs k and k + 1, unless the gap is at most so much of its
+ * upper end. k -1: half of the lowest rung, unless that is below `least`. */
+void ladder_split(Cases *list, const Table *rows, const Ladder *l, int k, double relative,
+                  double least);
 
 #endif

@@ -12,8 +12,8 @@
 enum { ALL = 127, CD_UVF = 1 | 8 | 64 };
 
 const Map stability_maps[MAPS] = {
-    {&engine_1d, "sine_bar", 32, ALL, 0.02, {1, 2, 2.5, 4}, {1e-4, 0.01, 0.05}, 1, 1},
-    {&engine_2d, "axis_mms", 8, CD_UVF, 0.02, {4, 9}, {0.01, 0.05}, 0, 0},
+    {&engine_1d, "sine_bar", {32, 40}, ALL, 0.02, {1, 2, 2.5, 4}, {1e-4, 0.01, 0.05}, 1, 1},
+    {&engine_2d, "axis_mms", {8, 8}, CD_UVF, 0.02, {4, 9}, {0.01, 0.05}, 0, 0},
 };
 const double map_rungs[MAP_RUNGS] = {0.1, 0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6, 2};
 
@@ -33,7 +33,7 @@ bool map_has_pair(const Map *map, const char *method, int k)
 /* Columns that say which method, with what, a ladder is of. */
 static const char place_header[] = "dim,method,integrator,refresh,default,pair,line";
 
-static const Map *map_of(const Table *rows, int row)
+const Map *map_of_row(const Table *rows, int row)
 {
     const Map *map = stability_maps;
     while (strcmp(map->problem, table_text(rows, row, "problem")) != 0) map++;
@@ -42,7 +42,7 @@ static const Map *map_of(const Table *rows, int row)
 
 static void write_place(FILE *f, const Table *rows, int row)
 {
-    const Map *map = map_of(rows, row);
+    const Map *map = map_of_row(rows, row);
     const char *method = table_text(rows, row, "method");
     const Pair pair = pairs[pair_of_row(rows, row)];
     int line = 0;
@@ -70,7 +70,7 @@ static int column_of(double cfl)
  * the places of all. */
 static void write_map(FILE *f, const Table *rows, const Ladder *l)
 {
-    const Map *map = map_of(rows, l->row[0]);
+    const Map *map = map_of_row(rows, l->row[0]);
     const double A = row_param(rows, l->row[0], "A"), ppc = table_number(rows, l->row[0], "ppc");
     int height = 1;
     while (map->ppc[height - 1] > 0) height++;

@@ -14,11 +14,11 @@ enum { MAP_MOST = 5, MAP_RUNGS = 10, MAPS = 2 };
 typedef struct Map {
     const Engine *engine;
     const char *problem;
-    int cells;
+    int cells[2];                      /* per metre; [1]: with the default integrator */
     unsigned pairs;                    /* bit k: pairs[k]; the default integrator in any case */
     double period;                     /* [s] */
     double ppc[MAP_MOST], A[MAP_MOST]; /* 0: no more */
-    int usual_ppc, usual_A;            /* those of --quick */
+    int usual_ppc, usual_A;            /* indices: all that --quick runs */
 } Map;
 
 extern const Map stability_maps[MAPS];
@@ -26,6 +26,8 @@ extern const double map_rungs[MAP_RUNGS]; /* CFL numbers */
 
 /* Is this the method's default integrator? */
 bool map_is_usual(const Map *map, const char *method, Pair pair);
+
+const Map *map_of_row(const Table *rows, int row);
 
 /* Does the map show this method with pairs[k]? */
 bool map_has_pair(const Map *map, const char *method, int k);

@@ -10,26 +10,27 @@
  * particles cross cells; the gap under the lowest rung that fails is bisected (ladder.h) to 5 %.
  * A limit says that every rung tried below it was stable, too. */
 #include <math.h>
+#include <stdlib.h>
 #include "ladder.h"
 #include "pages.h"
 #include "stability.h"
 
 static const char name[] = "t_04_stability";
-static const double least = 0.05, precision = 0.05;
 
-/* The lowest rung, half of the whole cost, is for default integrators; the others get there where
- * the next one fails. */
+/* Slow runs are rationed: what the figure shows, the default integrators, gets the finest mesh and
+ * the lowest rung; the others get there where the next rung fails. Refused pairs run at one PPC. */
 static void add_ladders(Cases *list, const Map *map, const char *method, Pair pair, bool quick)
 {
-    const int from = map_is_usual(map, method, pair) ? 0 : 1;
+    const bool usual = map_is_usual(map, method, pair);
+    const bool one = quick || !pair_is_allowed(map->engine, map->problem, method, pair);
     for (int a = 0; map->A[a] > 0; a++)
         for (int p = 0; map->ppc[p] > 0; p++)
-            for (int k = from; k < MAP_RUNGS; k += quick ? 3 : 1) {
-                if (quick && (a != map->usual_A || p != map->usual_ppc)) continue;
+            for (int k = usual ? 0 : 1; k < MAP_RUNGS; k += quick ? 3 : 1) {
+                if ((quick && a != map->usual_A) || (one && p != map->usual_ppc)) continue;
                 case_add(list,
                          "run %s --method %s --integrator %s --cells %d --ppc %g --cfl %g --t-end "
                          "%.17g --set A=%g --set allow_unstable=1 --set refresh=%d",
-                         map->problem, method, pair.integrator, map->cells, map->ppc[p],
+                         map->problem, method, pair.integrator, map->cells[usual], map->ppc[p],
                          map_rungs[k], (quick ? 2 : 10) * map->period, map->A[a], pair.refresh);
             }
 }
@@ -43,9 +44,30 @@ static void cases(Cases *list, bool quick)
                     add_ladders(list, map, (*m)->name, pairs[k], quick);
 }
 
+/* CFL number below which a ladder is not followed. */
+static double lowest(const Table *rows, int row)
+{
+    const Pair pair = pairs[pair_of_row(rows, row)];
+    const bool usual = map_is_usual(map_of_row(rows, row), table_text(rows, row, "method"), pair);
+    return usual ? map_rungs[0] / 2 : map_rungs[0];
+}
+
+/* Both limits, of stable runs and of runs that are not lost; they may lie in one gap. */
 static void refine(Cases *list, const Table *rows, bool quick)
 {
-    ladders_refine(list, rows, quick ? 0.4 : precision, quick ? map_rungs[0] : least);
+    Ladder *ladders;
+    const int n = ladders_read(rows, &ladders);
+    for (const Ladder *l = ladders; l < ladders + n; l++) {
+        int before = -1;
+        for (Grade worst = STABLE; worst < LOST; worst++) {
+            int first;
+            ladder_limit(l, worst, &first);
+            if (first >= 0 && !(worst > STABLE && first == before))
+                ladder_split(list, rows, l, first - 1, quick ? 0.4 : 0.05, lowest(rows, l->row[0]));
+            before = first;
+        }
+    }
+    free(ladders);
 }
 
 static int tables(const char *dir, bool quick, Fault *fault)
@@ -58,6 +80,17 @@ static int tables(const char *dir, bool quick, Fault *fault)
 static double bar(const Table *worst, const char *what, const char *pair, double A)
 {
     return value_pick(worst, what, "dim=1 %s amplitude=%g", pair, A);
+}
+
+/* In 2D, over amplitudes, too. */
+static double plane(const Table *worst, const char *method, const char *integrator)
+{
+    Curve limits;
+    curve_pick(&limits, worst, "amplitude", "stable", "dim=2 method=%s integrator=%s", method,
+               integrator);
+    double least = limits.n ? INFINITY : NAN;
+    for (int k = 0; k < limits.n; k++) least = fmin(least, limits.y[k]);
+    return least;
 }
 
 /* The largest over methods that refuse an integrator for its stale gradient: `runs` of them. */
@@ -111,6 +144,10 @@ static void check(Check *c, const Table *rows, const char *dir)
               k ? "and with uvf" : "GIMP with musl: A = 1e-4 and .01, the lower limit",
               fmin(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4, 2);
     }
+    claim(c, "T-4.plane-gimp", "2D, own measurement: GIMP with cd, the worse amplitude",
+          plane(worst, "gimp", "cd"), 0.65, 0.8);
+    claim(c, "T-4.plane-bspline", "B-splines with cd", plane(worst, "bspline", "cd"), 0.9, 1.2);
+    claim(c, "T-4.plane-fem", "FEM", plane(worst, "fem", "cd"), 0.6, 0.8);
     const double stale = best_stale(worst, &runs);
     claim(c, "T-4.stale", "a stale gradient projected twice a step: largest limit of all such",
           runs ? stale : NAN, 0, 0);

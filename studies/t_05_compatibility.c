@@ -1,7 +1,8 @@
 /* t_05_compatibility.c: which method runs with which time integrator, and what it does to the
  * energy.
  *
- * The sine bar at CFL .1 for ten periods, refused pairs included. Gradient enhancement needs the
+ * The sine bar and, in the plane, axis_mms on 8 x 8 cells at the same amplitude .01; CFL .1, ten
+ * periods, refused pairs included. Gradient enhancement needs the
  * gradient of the velocity that is about to be projected: where particles are projected twice a
  * step (uvf, musl) or the gradient is taken before the forces act (usf), the old one feeds on
  * itself. refresh=1 takes it anew before the second projection. Its cases are added where that is
@@ -15,18 +16,34 @@
 #include "pairs.h"
 
 static const char name[] = "t_05_compatibility";
-static const double period = 0.02; /* [s] 2 L/c */
+static const double period = 0.02; /* [s] 2 L/c, of both scenes */
+
+/* By dimension. */
+static const struct {
+    const Engine *engine;
+    const char *problem, *settings;
+} scenes[] = {{&engine_1d, "sine_bar", ""}, {&engine_2d, "axis_mms", " --cells 8 --set A=.01"}};
+enum { SCENES = sizeof scenes / sizeof *scenes };
 
 static void cases(Cases *list, bool quick)
 {
     double t_end = (quick ? 1 : 10) * period;
-    for (const Info *const *m = engine_1d.methods; *m; m++)
-        for (int k = 0; k < PAIRS; k++)
-            if (pair_is_run(&engine_1d, "sine_bar", (*m)->name, pairs[k]))
-                case_add(list,
-                         "run sine_bar --cfl .1 --method %s --integrator %s --t-end %.17g --set "
-                         "allow_unstable=1 --set refresh=%d",
-                         (*m)->name, pairs[k].integrator, t_end, pairs[k].refresh);
+    for (int s = 0; s < SCENES; s++)
+        for (const Info *const *m = scenes[s].engine->methods; *m; m++)
+            for (int k = 0; k < PAIRS; k++)
+                if (pair_is_run(scenes[s].engine, scenes[s].problem, (*m)->name, pairs[k]))
+                    case_add(list,
+                             "run %s%s --cfl .1 --method %s --integrator %s --t-end %.17g --set "
+                             "allow_unstable=1 --set refresh=%d",
+                             scenes[s].problem, scenes[s].settings, (*m)->name, pairs[k].integrator,
+                             t_end, pairs[k].refresh);
+}
+
+static int dim_of(const Table *rows, int row)
+{
+    int s = 0;
+    while (strcmp(scenes[s].problem, table_text(rows, row, "problem")) != 0) s++;
+    return scenes[s].engine->dim;
 }
 
 /* How a run went: 0 energy kept within .1 %, 1 within 5 %, 2 changed by more, 3 lost. */
@@ -37,12 +54,21 @@ static int grade(const Table *rows, int row)
     return drift <= 0.001 ? 0 : drift <= 0.05 ? 1 : 2;
 }
 
-static void write_cell(FILE *f, const Table *rows, int row, int line)
+/* The method's place in its engine's list. */
+static int line_of(const Table *rows, int row)
+{
+    const Engine *engine = scenes[dim_of(rows, row) - 1].engine;
+    int line = 0;
+    while (strcmp(engine->methods[line]->name, table_text(rows, row, "method")) != 0) line++;
+    return line;
+}
+
+static void write_cell(FILE *f, const Table *rows, int row)
 {
     double end = table_number(rows, row, "steps") * table_number(rows, row, "dt") / period;
     int k = pair_of_row(rows, row), g = grade(rows, row);
-    fprintf(f, "%s,%s%s,%d,%d,%d,", table_text(rows, row, "method"), pairs[k].integrator,
-            pairs[k].refresh ? " fresh" : "", k, line, g);
+    fprintf(f, "%d,%s,%s%s,%d,%d,%d,", dim_of(rows, row), table_text(rows, row, "method"),
+            pairs[k].integrator, pairs[k].refresh ? " fresh" : "", k, line_of(rows, row), g);
     if (g < 3) {
         fprintf(f, "%+.2f %%\n", 100 * table_number(rows, row, "energy_drift"));
         return;
@@ -58,26 +84,22 @@ static int tables(const char *dir, bool quick, Fault *fault)
     part_path(path, dir, name, "grid");
     Table *rows = part_read(dir, name, NULL, fault);
     FILE *f = rows ? file_begin(path, fault) : NULL;
-    if (f) fputs("method,integrator,column,line,grade,text\n", f);
-    for (int row = 0, line = -1; f && row < rows->nrow; row++) {
-        if (row == 0 ||
-            strcmp(table_text(rows, row, "method"), table_text(rows, row - 1, "method")) != 0)
-            line++;
-        write_cell(f, rows, row, line);
-    }
+    if (f) fputs("dim,method,integrator,column,line,grade,text\n", f);
+    for (int row = 0; f && row < rows->nrow; row++) write_cell(f, rows, row);
     table_free(rows);
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
-/* Among the rows of a method: how many were lost in columns from .. to; *largest is the largest
- * energy drift of the others. */
-static int losses(const Table *rows, const char *method, int from, int to, double *largest)
+/* Among the rows of a method in one dimension: how many were lost in columns from .. to; *largest
+ * is the largest energy drift of the others. */
+static int losses(const Table *rows, int dim, const char *method, int from, int to, double *largest)
 {
     int lost = 0;
     *largest = 0;
     for (int row = 0; row < rows->nrow; row++) {
         int k = pair_of_row(rows, row);
-        if (strcmp(table_text(rows, row, "method"), method) != 0 || k < from || k > to) continue;
+        if (dim_of(rows, row) != dim || k < from || k > to) continue;
+        if (strcmp(table_text(rows, row, "method"), method) != 0) continue;
         lost += is_lost(rows, row);
         if (!is_lost(rows, row))
             *largest = fmax(*largest, fabs(table_number(rows, row, "energy_drift")));
@@ -85,9 +107,23 @@ static int losses(const Table *rows, const char *method, int from, int to, doubl
     return lost;
 }
 
+/* How many of them were lost or ended with more than twice their energy. */
+static int doublings(const Table *rows, int dim, const char *method, int from, int to)
+{
+    int count = 0;
+    for (int row = 0; row < rows->nrow; row++) {
+        const int k = pair_of_row(rows, row);
+        if (dim_of(rows, row) != dim || k < from || k > to) continue;
+        if (strcmp(table_text(rows, row, "method"), method) != 0) continue;
+        count += is_lost(rows, row) || table_number(rows, row, "energy_drift") > 0.5;
+    }
+    return count;
+}
+
 static double drift(const Table *rows, const char *method, const char *integrator)
 {
-    return value_pick(rows, "energy_drift", "method=%s integrator=%s", method, integrator);
+    return value_pick(rows, "energy_drift", "problem=sine_bar method=%s integrator=%s", method,
+                      integrator);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
@@ -95,16 +131,17 @@ static void check(Check *c, const Table *rows, const char *dir)
     enum { CD, USL, MUSL, UVF, USF, MUSL_FRESH, UVF_FRESH };
     double largest, other;
     (void)dir;
-    int lost = losses(rows, "gimp", CD, USF, &largest);
+    int lost = losses(rows, 1, "gimp", CD, USF, &largest);
     claim(c, "T-5.gimp",
           "GIMP keeps the energy in all five integrators: largest change in ten periods",
           lost ? NAN : largest, 0, 0.0008);
-    lost = losses(rows, "ge_gimp", MUSL, USF, &largest) + losses(rows, "ge_mpm", MUSL, USF, &other);
+    lost = losses(rows, 1, "ge_gimp", MUSL, USF, &largest) +
+           losses(rows, 1, "ge_mpm", MUSL, USF, &other);
     claim(c, "T-5.stale", "a stale gradient with musl, uvf or usf: runs lost of six", lost, 6, 6);
-    lost = losses(rows, "ge_gimp", CD, USL, &largest);
+    lost = losses(rows, 1, "ge_gimp", CD, USL, &largest);
     claim(c, "T-5.ge-gimp", "GE-GIMP is stable with cd and usl: largest energy change",
           lost ? NAN : largest, 0, 0.05);
-    lost = losses(rows, "ge_gimp", MUSL_FRESH, UVF_FRESH, &largest);
+    lost = losses(rows, 1, "ge_gimp", MUSL_FRESH, UVF_FRESH, &largest);
     claim(c, "T-5.refresh", "and with musl and uvf if the gradient is fresh: largest energy change",
           lost ? NAN : largest, 0, 0.05);
     claim(c, "T-5.tent-cd", "tents lose a fifth of the energy with cd", drift(rows, "mpm", "cd"),
@@ -114,12 +151,23 @@ static void check(Check *c, const Table *rows, const char *dir)
                   0.005, -0.03, 0.03, "how much is luck of round-off: tents cross cells");
     claim(c, "T-5.tent-usf", "and gain some with usf (how much is luck of round-off)",
           drift(rows, "mpm", "usf"), 0.01, 1);
+    lost = losses(rows, 2, "gimp", CD, USF, &largest);
+    claim(c, "T-5.plane-gimp", "2D: GIMP runs lost in any integrator", lost, 0, 0);
+    claim(c, "T-5.plane-stale",
+          "2D: a stale gradient: runs lost, or with twice their energy, of six",
+          doublings(rows, 2, "ge_gimp", MUSL, USF) + doublings(rows, 2, "ge_mpm", MUSL, USF), 6, 6);
+    lost = losses(rows, 2, "ge_gimp", CD, USL, &largest);
+    claim(c, "T-5.plane-ge-gimp", "2D: GE-GIMP with cd and usl: largest energy change",
+          lost ? NAN : largest, 0, 0.05);
+    lost = losses(rows, 2, "ge_gimp", MUSL_FRESH, UVF_FRESH, &largest);
+    claim(c, "T-5.plane-refresh", "2D: with musl and uvf, if the gradient is fresh",
+          lost ? NAN : largest, 0, 0.05);
 }
 
 const Study study_t_05_compatibility = {
     .name = name,
     .figure = "T-5",
-    .about = "method x integrator x gradient enhancement: ten periods of the sine bar",
+    .about = "method x integrator x gradient enhancement: ten periods of standing waves, 1D and 2D",
     .cases = cases,
     .tables = tables,
     .check = check,
