@@ -15,7 +15,7 @@ do for [k = 1:2] {
     set rmargin at screen (k == 1 ? 0.41 : 0.79)
     set yrange [k == 1 ? -0.12 : -0.6 : k == 1 ? 0.22 : 0.4]
     set xrange [0 : k == 1 ? 0.4 : 20]
-    set xtics (k == 1 ? 0.1 : 5)
+    if (k == 1) { set xtics 0.1 } else { set xtics 5 }
     if (k == 1) { set ylabel 'energy gained / largest energy' offset 1; unset key }
     if (k == 2) { unset ylabel; set key at screen 0.8, screen 0.9 left top samplen 1.6 }
     set label 1 heading(SAYS[k]) at graph 0, graph 1.05
