@@ -2,8 +2,9 @@
  * a body's edges: v = (1 + x + 2 y, 2 - x + y), with its exact gradient.
  *
  * Bodies of rectangles: a block, a strip of one and a half cells, a concave corner, and a block in
- * two with a gap of half a cell. None lies on the grid's lines. Particles are a lattice from the
- * rectangle's corner on, jittered (gsl_rng_taus2, fixed seed) or graded: denser to the left. */
+ * two with a gap of half a cell. All edges are 0.3 cells off the grid's lines, or half a cell more
+ * or less. Particles are a lattice from the rectangle's corner on, jittered (gsl_rng_taus2, fixed
+ * seed) or graded: denser to the left. */
 #include <gsl/gsl_rng.h>
 #include <math.h>
 #include "../common/place.h"
@@ -27,7 +28,8 @@ typedef struct Box {
 /* The body's rectangles; how many. */
 static int boxes(const Scene *s, Box out[2])
 {
-    const double h = s->cell, lo = 0.2 + 0.3 * h, mid = lo + 0.3, hi = lo + 0.6;
+    const double h = s->cell, cells = round(0.3 / h); /* of half a side */
+    const double lo = (floor(0.2 / h) + 0.3) * h, mid = lo + cells * h, hi = lo + 2 * cells * h;
     const Box all = {{lo, lo}, {hi, hi}};
     out[0] = out[1] = all;
     switch ((int)s->par[BODY]) {
