@@ -204,21 +204,25 @@ static void test_patch(void)
 {
     static const struct {
         const char *set;
-        double area;
-    } bodies[] = {{"body=block", 100},
-                  {"body=strip", 15},
-                  {"body=corner", 75},
-                  {"body=slit", 95},
-                  {"grading=2", 100}};
+        double area, left; /* [cells], all and of its left half */
+    } bodies[] = {{"body=block", 100, 50},
+                  {"body=strip", 15, 7.5},
+                  {"body=corner", 75, 50},
+                  {"body=slit", 95, 47.5},
+                  {"grading=2", 100, 50}};
     if (DIM != 2) return;
     for (int k = 0; k < COUNT(bodies); k++) { /* h = 1/16: a side is ten cells */
         Rig r;
         CU_ASSERT_FATAL(
             rig_plan(&r, &(Case){2, "patch", 16, 64, 0, bodies[k].set}, "gimp", CD, NULL));
         Sim *sim = rig_sim(&r);
-        double *s = rig_state(sim), area = 0;
+        double *s = rig_state(sim), area = 0, left = 0;
         for (int p = 0; p < sim->p.count; p++) area += s[AT_VOL * sim->p.count + p] * 16 * 16;
+        for (int p = 0; p < sim->p.count; p++)
+            if (s[AT_X0 * sim->p.count + p] < (3.3 + 5) / 16)
+                left += s[AT_VOL * sim->p.count + p] * 16 * 16;
         CHECK_CLOSE(area, bodies[k].area, 0.01 * bodies[k].area);
+        CHECK_CLOSE(left, bodies[k].left, 0.03 * bodies[k].area);
         free(s);
         sim_free(sim);
     }
