@@ -136,14 +136,16 @@ static int write_marks(const char *dir, Fault *fault)
         const double force = fmax(value_pick(t, "force", "method=%s kind=bar1", (*m)->name),
                                   value_pick(t, "force", "method=%s kind=bar2", (*m)->name));
         double first = INFINITY;
+        int ran = 0;
         for (int k = 0; k < KINDS; k++) {
             const char *where = "method=%s kind=%s variant=usual";
             const double at = value_pick(t, "onset", where, (*m)->name, kinds[k].name);
             const double end = value_pick(t, "reached", where, (*m)->name, kinds[k].name);
-            if (isnan(end) && kinds[k].engine == &engine_2d) first = NAN; /* did not run */
+            ran += !isnan(end);
             if (end < 0.99 * MOST) first = fmin(first, end);
             if (at < first) first = at;
         }
+        if (ran == 0) continue; /* in a quick run */
         mark_add(f, "H3", (*m)->name,
                  !isinf(first)   ? MARK_LOST
                  : force > WRONG ? MARK_WEAK

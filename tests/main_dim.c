@@ -19,13 +19,20 @@ extern const TestCase remedies_tests[];
 int main(void)
 {
     const TestSuite suites[] = {
-        {"contract", contract_tests}, {"twin", twin_tests},
-        {"shapes", shapes_tests},     {"material", material_tests},
-        {"exact", exact_tests},       {"invariants", invariants_tests},
-        {"order", order_tests},       {"dynamics", dynamics_tests},
-        {"spots", spots_tests},       {"rules", rules_tests},
-        {"status", status_tests},     {"methods", methods_tests},
-        {"remedies", remedies_tests}, {"hard cases", hard_tests},
+        {"contract", contract_tests},
+        {"twin", twin_tests},
+        {"shapes", shapes_tests},
+        {"material", material_tests},
+        {"exact", exact_tests},
+        {"invariants", invariants_tests},
+        {"order", order_tests},
+        {"dynamics", dynamics_tests},
+        {"spots", spots_tests},
+        {"rules", rules_tests},
+        {"status", status_tests},
+        {"methods", methods_tests},
+        {"remedies", remedies_tests},
+        {"hard cases", hard_tests},
         {NULL, NULL},
     };
     return check_run(suites);
