@@ -8,6 +8,7 @@
  *
  * Coordinates about the block's centre. In 1D the same along its only axis. */
 #include <math.h>
+#include <string.h>
 #include "../common/problem.h"
 
 enum { BOX, STRETCH, ANGLE, OFFSET_X, OFFSET_Y, DRIFT_X, DRIFT_Y, GRAVITY, RIPPLE, SPIN, RATE };
@@ -35,7 +36,10 @@ static bool is_imposed(const Scene *s)
 
 static int init(Scene *s, char why[128])
 {
-    (void)why;
+    if (DIM == 1 && fabs(s->par[SPIN]) + fabs(s->par[ANGLE]) > 0) {
+        strcpy(why, "spin and angle take two dimensions");
+        return -1;
+    }
     const double E = 1e4, nu = DIM == 1 ? 0 : 0.3;
     s->mat = material_make(NEO_HOOKEAN, E, nu, 1);
     s->c = wave_speed_bar(&s->mat);

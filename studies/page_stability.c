@@ -69,6 +69,12 @@ static void safe_steps(FILE *f, const Table *t, const char *method)
         }
     }
     if (!found) fputs("&ndash;", f);
+    for (int row = 0; t && row < t->nrow; row++)
+        if (is(t, row, "method", method) && table_text(t, row, "first_failure")[0]) {
+            html_element(f, "<br><span class=\"soft\">then ", table_text(t, row, "first_failure"),
+                         "</span>");
+            break;
+        }
 }
 
 static void marks(FILE *f, const Sheets *s, const char *method)
@@ -103,7 +109,8 @@ static void first_break(FILE *f, const Sheets *s, const char *method)
         fputs("nothing tried here", f);
         return;
     }
-    html_element(f, "<b>", table_text(found->grades, at, "case"), "</b>: ");
+    html_element(f, "<b>", table_text(found->grades, at, "case"), "</b>");
+    fputs(worst == MARK_WEAK ? " (weak): " : ": ", f);
     html_text(f, table_text(found->grades, at, "note"));
 }
 

@@ -199,6 +199,43 @@ static void test_wall_order(void)
     }
 }
 
+/* The patch's bodies have their areas, however graded; its field is exact where it should be. */
+static void test_patch(void)
+{
+    static const struct {
+        const char *set;
+        double area, left; /* [cells], all and of its left half */
+    } bodies[] = {{"body=block", 100, 50},
+                  {"body=strip", 15, 7.5},
+                  {"body=corner", 75, 50},
+                  {"body=slit", 95, 47.5},
+                  {"grading=2", 100, 50}};
+    if (DIM != 2) return;
+    for (int k = 0; k < COUNT(bodies); k++) { /* h = 1/16: a side is ten cells */
+        Rig r;
+        CU_ASSERT_FATAL(
+            rig_plan(&r, &(Case){2, "patch", 16, 64, 0, bodies[k].set}, "gimp", CD, NULL));
+        Sim *sim = rig_sim(&r);
+        double *s = rig_state(sim), area = 0, left = 0;
+        for (int p = 0; p < sim->p.count; p++) area += s[AT_VOL * sim->p.count + p] * 16 * 16;
+        for (int p = 0; p < sim->p.count; p++)
+            if (s[AT_X0 * sim->p.count + p] < (3.3 + 5) / 16)
+                left += s[AT_VOL * sim->p.count + p] * 16 * 16;
+        CHECK_CLOSE(area, bodies[k].area, 0.01 * bodies[k].area);
+        CHECK_CLOSE(left, bodies[k].left, 0.03 * bodies[k].area);
+        free(s);
+        sim_free(sim);
+    }
+    FOR_METHODS(m)
+    {
+        Row row = row_empty();
+        const Case c = {2, "patch", 16, 4, 0, "jitter=0.4;grading=1.5;edges=1"};
+        RunSpec spec = rig_spec(&c, (*m)->info.name, NULL, NULL);
+        CU_ASSERT_FATAL(run_spec(&spec, &row, NULL) == 0);
+        CU_ASSERT((*m)->linear_exact == (row.error_linf < 1e-12));
+    }
+}
+
 extern const TestCase hard_tests[];
 const TestCase hard_tests[] = {
     {"imposed motion", test_imposed},
@@ -207,5 +244,6 @@ const TestCase hard_tests[] = {
     {"volume, J and angular momentum in histories", test_history},
     {"particles on nodes", test_on_nodes},
     {"walls in any order", test_wall_order},
+    {"bodies of uneven particles", test_patch},
     {NULL, NULL},
 };

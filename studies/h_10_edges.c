@@ -1,0 +1,119 @@
+/* h_10_edges.c: hard case H10: where a body ends. A linear velocity field is projected from a
+ * block, a strip of one and a half cells, a concave corner, and a block with a gap of half a cell
+ * (two surfaces in one cell), none of them on the grid's lines. All nodes with mass count.
+ *
+ * A node at an edge hears particles from one side only: mass-weighted projection gives it their
+ * mean, which is half a cell away: first order in h. Gradients, or a fit, take it to the node. */
+#include <math.h>
+#include <string.h>
+#include "hard.h"
+
+static const char name[] = "h_10_edges";
+enum { BODIES = 4, MESHES = 4 };
+static const char *const bodies[BODIES] = {"block", "strip", "corner", "slit"};
+static const int meshes[MESHES] = {16, 32, 64, 128};
+
+static void cases(Cases *list, bool quick)
+{
+    for (int b = 0; b < BODIES; b++)
+        for (const Info *const *m = engine_2d.methods; *m; m++)
+            for (int k = 0; k < (quick ? 2 : MESHES) && has_grid(&engine_2d, (*m)->name); k++)
+                case_add(list, "run patch --method %s --cells %d --set body=%s --set edges=1",
+                         (*m)->name, meshes[k], bodies[b]);
+}
+
+/* NAME.edges.csv: body,method,status,finest,order,fallbacks: error on the finest mesh and order in
+ * h. */
+static void write_edges(FILE *f, const Table *rows)
+{
+    fputs("body,method,status,error,order,fallbacks\n", f);
+    for (int b = 0; b < BODIES; b++)
+        for (const Info *const *m = engine_2d.methods; *m; m++) {
+            double h[MESHES], e[MESHES], last = NAN, fallbacks = 0;
+            const char *status = "ok";
+            int n = 0;
+            for (int row = 0; row < rows->nrow && n < MESHES; row++) {
+                char text[32];
+                snprintf(text, sizeof text, "body=%s;", bodies[b]);
+                if (strcmp(table_text(rows, row, "method"), (*m)->name) != 0 ||
+                    !strstr(table_text(rows, row, "params"), text))
+                    continue;
+                if (is_lost(rows, row)) status = table_text(rows, row, "status");
+                h[n] = table_number(rows, row, "h");
+                last = e[n++] = table_number(rows, row, "error_linf");
+                fallbacks = fmax(fallbacks, table_number(rows, row, "fallbacks"));
+            }
+            if (n > 0)
+                fprintf(f, "%s,%s,%s,%.10g,%.6g,%g\n", bodies[b], (*m)->name, status, last,
+                        order_fit(n, h, e, NULL), fallbacks);
+        }
+}
+
+static void write_marks(FILE *f, const Table *t)
+{
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
+        const double e = worst_of(t, (*m)->name, "error", "status=ok");
+        if (!has_grid(&engine_2d, (*m)->name)) continue;
+        mark_add(f, "H10", (*m)->name, mark_of(e, 1e-12, 1),
+                 e <= 1e-12 ? "linear fields exact at edges, corners, gaps"
+                            : "at edges off by O(h): %.2g on the finest mesh",
+                 e);
+    }
+}
+
+static int tables(const char *dir, bool quick, Fault *fault)
+{
+    char path[PATH_TEXT];
+    (void)quick;
+    part_path(path, dir, name, "edges");
+    Table *rows = part_read(dir, name, NULL, fault);
+    FILE *f = rows ? file_begin(path, fault) : NULL;
+    if (f) write_edges(f, rows);
+    table_free(rows);
+    if (!f || file_commit(f, path, fault)) return FAULT_MACHINE;
+    Table *t = part_read(dir, name, "edges", fault);
+    FILE *g = t ? grades_begin(dir, name, fault) : NULL;
+    if (g) write_marks(g, t);
+    table_free(t);
+    return hard_end(g, dir, name, "grades", fault);
+}
+
+/* Rows whose status is not ok. */
+static int lost(const Table *rows)
+{
+    int n = 0;
+    for (int row = 0; row < rows->nrow; row++) n += is_lost(rows, row);
+    return n;
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    Table *t = part_read(dir, name, "edges", NULL);
+    if (!t) return;
+    claim(c, "H10.defined", "edges, thin strip, concave corner, two surfaces in a cell: runs lost",
+          lost(rows), 0, 0);
+    claim(c, "H10.order", "MPM, GIMP at edges: order in h of the largest error, block",
+          fmax(value_pick(t, "order", "method=mpm body=block"),
+               value_pick(t, "order", "method=gimp body=block")),
+          0.8, 1.2);
+    claim(c, "H10.ge", "GE-MPM, GE-GIMP, APIC, TPIC exact in all four: largest error",
+          worst_of(t, "ge_mpm ge_gimp apic tpic", "error", ""), 0, 1e-12);
+    claim(c, "H10.wls2", "WLS2 exact in all four: largest error", worst_of(t, "wls2", "error", ""),
+          0, 1e-12);
+    claim_differs(c, "H10.wls", "WLS exact, too: largest error", worst_of(t, "wls", "error", ""), 0,
+                  1e-12, 1e-3, 0.1,
+                  "spurious nodes take a mean of their neighbours' velocities, which is O(h) "
+                  "wrong; WLS2 extrapolates");
+    claim(c, "H10.wls-order", "which falls with h: order of WLS's largest error, block",
+          value_pick(t, "order", "method=wls body=block"), 0.5, 1.2);
+    table_free(t);
+}
+
+const Study study_h_10_edges = {
+    .name = name,
+    .figure = "H10",
+    .about = "where a body ends: edges, a thin strip, a concave corner, two surfaces in a cell",
+    .cases = cases,
+    .tables = tables,
+    .check = check,
+};
