@@ -63,6 +63,7 @@ static void deposit_round(Sim *sim, int k, Work *w)
     const Chunk c = sim_chunk(sim, k);
     const int width = make_stencils(sim, &c, w);
     for (int p = 0; p < CHUNK; p++) {
+        w->A[p] = (Line){0}; /* the spare lanes too: the ledger reads them, times nothing */
         w->A[p][0] = c.m[p];
         for (int a = 0; a < DIM; a++) w->A[p][1 + a] = c.m[p] * c.w[a][p];
     }

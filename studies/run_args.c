@@ -180,6 +180,12 @@ int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault)
     return 0;
 }
 
+static bool names_files(const RunSpec *s)
+{
+    return s->history || s->particles || s->nodes || s->samples || s->errors || s->patches ||
+           s->vtk;
+}
+
 int run_text_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault)
 {
     enum { MOST_WORDS = 96 };
@@ -194,6 +200,8 @@ int run_text_resolve(const char *text, RunSpec *spec, const Engine **engine, Fau
         argv[argc++] = w;
     int code = run_args_read(argc, argv, &args, fault);
     if (code) return code;
+    if (args.csv || names_files(&args.spec))
+        return fault_set(fault, FAULT_USAGE, "a run of a study: got a file option, takes none");
     *spec = args.spec;
     *engine = engine_for(spec, fault);
     return *engine ? (*engine)->resolve(spec, fault) : FAULT_USAGE;

@@ -17,7 +17,8 @@ extern const Option run_options[];
 /* Reads argv[1..]: PROBLEM and options. Texts in args->spec point into argv. 0 or a fault. */
 int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault);
 
-/* Reads a text "run bar --ppc 2" (no quotes in it; no file options) and resolves it. */
+/* Reads a text "run bar --ppc 2" (no quotes in it) and resolves it; refuses options with files,
+ * whose names would not outlive the text. */
 int run_text_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault);
 
 /* The names that any engine knows, each once; at most max. How many. */

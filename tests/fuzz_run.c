@@ -95,7 +95,7 @@ const char *fuzz_case(const unsigned char *data, size_t n)
     Row row = row_empty();
     int code = run_text_resolve(text, &spec, &engine, &fault);
     free(text);
-    if (code || spec.history || spec.particles || spec.nodes || spec.vtk) return NULL;
+    if (code) return fuzz_refusal(code, &fault);
     if (!is_small(&spec) || spec_set(&spec, "steps=2", NULL)) return NULL;
     spec.threads = 1;
     if (engine->run(&spec, &row, &fault)) return fault.text[0] ? NULL : "a fault without a text";

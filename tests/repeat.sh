@@ -7,9 +7,14 @@ work=$(mktemp -d "$(realpath "$1")/repeat.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 differ=0
-# comparable CSV: without its timing columns, if it has them (they come last)
+# comparable CSV: without its timing columns, if it has them (they come last). Tables of measured times keep
+# errors and work, not what times decide: who is cheapest, and so all of a reach.
 comparable() {
-    if head -n 1 "$1" | grep -q ',cpu_s,wall_s,ns_per_particle_step$'; then
+    if [[ $1 == *.reach.csv ]]; then
+        head -n 1 "$1"
+    elif [[ $1 == *.points.csv ]]; then
+        cut -d, -f 1-8,11,14,16 "$1"
+    elif head -n 1 "$1" | grep -q ',cpu_s,wall_s,ns_per_particle_step$'; then
         sed 's/\(,[^,]*\)\{3\}$//' "$1"
     else
         cat "$1"
