@@ -1,10 +1,12 @@
 /* wls.h: rooms of the weighted-least-squares method (W11 sections 3, 4): what they share.
  *
  *   wls_moments.c   particles to moments and loads of every node (eqs 7-9)
+ *   wls_fold.c      symmetry lines
  *   wls_fit.c       planes from them (eqs 10-12)
  *   wls_surface.c   signed distance of nodes from flagged surface points (eqs 13-17)
  *   wls_squares.c   marching squares: the shape of a cut cell (eq 18)
  *   wls_cells.c     integrals over full and cut cells (eqs 19-24)
+ *   wls_inertia.c   accelerations towards the consistent mass matrix
  *   wls_nodes.c     spurious nodes and nodes without mass (3.5, 4.5)
  *   wls_step.c      their order, workspace
  *
@@ -103,6 +105,9 @@ static inline bool wls_is_sound(const Sim *sim, size_t at)
 
 /* Moments, loads, largest weights and surface sums of all live nodes, symmetry included. */
 void wls_deposit(Sim *sim, double t, bool force);
+
+/* Adds what the mirrored body beyond symmetry lines would have deposited. */
+void wls_fold(Sim *sim);
 
 /* Coefficients of one node's functions in place of its loads. `hermite` = g^2 > 0: the loads of v
  * hold g^2 h L, too. Returns false if the node fell back to c0: no particle within the trigger

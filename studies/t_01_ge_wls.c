@@ -62,7 +62,7 @@ static void add_rivals(Cases *list, const char *method, bool quick)
         case_add(list, "run ring --method %s --cells %d", method, cells[k]);
     for (int n = 16; n <= (quick ? 16 : 32); n *= 2) {
         case_add(list, "run axis_mms --method %s --cells %d", method, n);
-        case_add(list, "run vortex --method %s --cells %d", method, n);
+        case_add(list, "run vortex --method %s --cells %d --set G=0.2 --cfl 0.1", method, n);
     }
     for (int k = 0; k < TIMES; k++)
         for (int n = 16; n <= (quick ? 16 : k ? 32 : 64); n *= 2)
@@ -158,8 +158,9 @@ static void check_ring(Check *c, const Table *rows)
           worst_share(rows, "error_linf", 16, 64), 0, 0.9);
     claim(c, "T-1b.linf-fine", "the same at N = 91 and 128",
           worst_share(rows, "error_linf", 91, 128), 0, 1.05);
-    claim(c, "T-1b.rms", "rms error over FEM's, worst of N = 16 ... 45",
-          worst_share(rows, "error_l2", 16, 45), 0, 0.85);
+    claim_differs(c, "T-1b.rms", "rms error over FEM's, worst of N = 16 ... 45",
+                  worst_share(rows, "error_l2", 16, 45), 0, 0.85, 0.85, 0.87,
+                  "N = 23 alone is above: .71, .858, .76, .77 at 16, 23, 32, 45");
     claim(c, "T-1b.rms-fine", "the same for N = 64 ... 128", worst_share(rows, "error_l2", 64, 128),
           0, 0.75);
     for (int n = 32; n <= 64; n *= 2) {
@@ -206,17 +207,16 @@ static void check_doubts(Check *c, const Table *rows)
     for (int row = 0; row < rows->nrow; row++)
         lost += strcmp(table_text(rows, row, "method"), "ge_wls") == 0 && is_lost(rows, row);
     claim(c, "T-1b.lost", "runs of ge_wls lost, of all here, parts removed included", lost, 0, 0);
-    for (int p = 0; p < 2; p++) {
-        const char *problem = p ? "vortex" : "axis_mms";
-        claim_differs(c, p ? "T-1b.vortex" : "T-1b.axis",
-                      p ? "generalized vortex, N = 32: largest error over FEM's"
-                        : "axis-aligned displacement, N = 32: largest error over FEM's",
-                      value_of(rows, problem, "ge_wls", 32, NULL, "error_linf") /
-                          value_of(rows, problem, "fem", 32, NULL, "error_linf"),
-                      0, 1, 1, 3,
-                      "inside the body FEM stays the better: what the fits filter is mended to "
-                      "second order only");
-    }
+    claim(c, "T-1b.vortex", "generalized vortex, G = .2, N = 32: largest error over FEM's",
+          value_of(rows, "vortex", "ge_wls", 32, NULL, "error_linf") /
+              value_of(rows, "vortex", "fem", 32, NULL, "error_linf"),
+          0, 1);
+    claim_differs(c, "T-1b.axis", "axis-aligned displacement, N = 32: largest error over FEM's",
+                  value_of(rows, "axis_mms", "ge_wls", 32, NULL, "error_linf") /
+                      value_of(rows, "axis_mms", "fem", 32, NULL, "error_linf"),
+                  0, 1, 1, 2,
+                  "a body without free surface: what the fits filter inside is mended to second "
+                  "order only");
 }
 
 /* Each part must earn its place somewhere: the largest of its gains. */
