@@ -94,7 +94,7 @@ CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
               $(patsubst %,test_%,invariants hard order dynamics spots rules status methods)
 CORE_2      = $(CORE_1)
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
-WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_axis_mms test_vortex
+WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_ge_wls test_axis_mms test_vortex
 SCENE_TESTS = test_disk_plate test_snapshot
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 

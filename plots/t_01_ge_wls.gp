@@ -1,7 +1,7 @@
 # GE-WLS beside FEM: each part removed; time steps; the disk's energy.
 load plots.'/style.gp'
 load dir.'/'.name.'.var'
-set multiplot layout 1,3 margins 0.065,0.99,0.36,0.92 spacing 0.055
+set multiplot layout 1,3 margins 0.07,0.99,0.38,0.92 spacing 0.075
 shares = dir.'/'.name.'.shares.csv'
 set logscale xy
 set xrange [7:150]
@@ -10,8 +10,8 @@ set yrange [0.5:4]
 set ytics (0.5, 0.7, 1, 1.5, 2, 3, 4)
 set xlabel 'cells over the outer radius, N'
 set ylabel "largest error over FEM's" offset 1
-set label 1 heading('(a) ring, one part removed') at graph 0, graph 1.05
-set key at screen 0.05, screen 0.24 left top maxrows 7 samplen 2.2 width 1
+set label 1 heading('(a) ring, one part less') at graph 0, graph 1.05
+set key at screen 0.05, screen 0.265 left top maxrows 7 samplen 2.2 width 1
 of(p, w) = strcol('problem') eq p && strcol('what') eq w ? column('cells') : NaN
 plot shares using (of('ring', 'ge_wls')):'share' with linespoints ls style('ge_wls') lw 2.2 title label('ge_wls'), \
      shares using (of('ring', 'mass')):'share' with linespoints ls 1 title 'lumped mass', \
@@ -21,28 +21,29 @@ plot shares using (of('ring', 'ge_wls')):'share' with linespoints ls style('ge_w
      shares using (of('ring', 'wls2')):'share' with linespoints ls style('wls2') title label('wls2'), \
      1 with lines ls 20 title 'FEM'
 
-set label 1 heading('(b) N = 32: time step')
-set key at screen 0.40, screen 0.24 left top maxrows 7
+set label 1 heading('(b) ring, time steps')
+set key at screen 0.40, screen 0.265 left top maxrows 7
 set xrange [0.04:1]
 set xtics (0.05, 0.1, 0.2, 0.4, 0.8)
 set yrange [1e-4:1e-3]
-set ytics auto
-set format y '10^{%T}'
+set ytics (1e-4, 2e-4, 5e-4, 1e-3)
+set format y '%.0e'
 set xlabel 'CFL'
 set ylabel 'largest error [m]' offset 1
 at(m) = strcol('problem') eq 'ring' && strcol('method') eq m && column('cells') == 32 && column('t_end') < 0.021 \
-        && column('ppc') == 4 && !(strcol('params')[1:1] eq '') && strstrt(strcol('params'), 'sector=full') == 0 \
+        && (m eq 'fem' || column('ppc') == 4) && strstrt(strcol('params'), 'sector=full') == 0 \
         && (m ne 'ge_wls' || (strstrt(strcol('params'), 'mass=corrected') && strstrt(strcol('params'), 'hermite=2') \
         && strstrt(strcol('params'), 'distance=curved') && strstrt(strcol('params'), 'return=spline'))) \
         && strcol('status') eq 'ok' ? column('cfl') : NaN
 plot for [m in 'ge_wls wls2 fem'] csv using (at(m)):'error_linf' smooth unique with linespoints ls style(m) title label(m)
 
 unset logscale
-set label 1 heading('(c) disk: energy over that at the start')
-set key at screen 0.73, screen 0.24 left top maxrows 7
+set ytics auto
+set label 1 heading('(c) disk: energy')
+set key at screen 0.73, screen 0.265 left top maxrows 7
 set xrange [0:4]
 set xtics 1
-set yrange [0.85:1.05]
+set yrange [0.9:1.05]
 set format y '%.2f'
 set xlabel 'time [s]'
 set ylabel 'E/E_0' offset 1

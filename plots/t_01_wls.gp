@@ -1,7 +1,7 @@
 # WLS on the ring, one reading changed at a time: from the published method on, and from the cured one back.
 load plots.'/style.gp'
 load dir.'/'.name.'.var'
-set multiplot layout 1,3 margins 0.065,0.99,0.36,0.92 spacing 0.055
+set multiplot layout 1,3 margins 0.07,0.99,0.38,0.92 spacing 0.07
 set logscale xy
 set format y '10^{%T}'
 set yrange [5e-6:3e-2]
@@ -13,12 +13,12 @@ has(s) = strstrt(strcol('params'), s) > 0
 # how many settings differ from those of the method
 off(d, q, s, t, r) = !has('distance='.d) + !has('quadrature='.q) + !has('spurious_velocity='.s) + !has('trigger='.t) \
                      + !has('return='.r) + !has('stress=linear') + !has('average=weighted')
-from_wls(x) = strcol('method') eq 'wls' ? off('weighted_mean', 'centroid', 'constant', '0.12', 'linear') : -1
-from_wls2(x) = strcol('method') eq 'wls2' ? off('normals', 'exact', 'extrapolate', '0.25', 'linear') : -1
+from_wls(x) = strcol('method') eq 'wls' && !has('steps=1') ? off('weighted_mean', 'centroid', 'constant', '0.12', 'linear') : -1
+from_wls2(x) = strcol('method') eq 'wls2' && !has('steps=1') ? off('normals', 'exact', 'extrapolate', '0.25', 'linear') : -1
 one(count, s) = count == 1 && has(s) ? column('cells') : NaN
 
-set label 1 heading('(a) WLS as published, one change at a time') at graph 0, graph 1.05
-set key at screen 0.05, screen 0.24 left top maxrows 7 samplen 2.2 width 1
+set label 1 heading('(a) WLS, one change') at graph 0, graph 1.05
+set key at screen 0.05, screen 0.265 left top maxrows 7 samplen 2.2 width 1
 plot csv using (from_wls(0) == 0 ? column('cells') : NaN):'error_linf' with linespoints ls style('wls') lw 2.2 title label('wls'), \
      csv using (one(from_wls(0), 'distance=normals')):'error_linf' with linespoints ls 1 title 'distance by normals', \
      csv using (one(from_wls(0), 'quadrature=exact')):'error_linf' with linespoints ls 2 title 'exact cut cells', \
@@ -27,21 +27,21 @@ plot csv using (from_wls(0) == 0 ? column('cells') : NaN):'error_linf' with line
      csv using (one(from_wls(0), 'stress=c0')):'error_linf' with linespoints ls 9 title 'no slopes', \
      0.5 / x**2 with lines ls 20 title 'N^{ −2}'
 
-set label 1 heading('(b) WLS2, one cure taken back')
+set label 1 heading('(b) WLS2, one cure less')
 unset ylabel
 set format y ''
-set key at screen 0.39, screen 0.24 left top maxrows 7
+set key at screen 0.39, screen 0.265 left top maxrows 7
 plot csv using (from_wls2(0) == 0 ? column('cells') : NaN):'error_linf' with linespoints ls style('wls2') lw 2.2 title label('wls2'), \
      csv using (one(from_wls2(0), 'distance=weighted_mean')):'error_linf' with linespoints ls 1 title 'distance to the mean', \
      csv using (one(from_wls2(0), 'quadrature=centroid')):'error_linf' with linespoints ls 2 title 'one point in cut cells', \
      csv using (one(from_wls2(0), 'return=spline')):'error_linf' with linespoints ls 8 dt 2 title 'return by spline', \
      0.5 / x**2 with lines ls 20 title 'N^{ −2}'
 
-set label 1 heading('(c) points where cells are cut')
-set ylabel 'distance from the surface [m]' offset 1.5
+set label 1 heading('(c) cut points')
+set ylabel 'distance from the surface [m]' offset 1
 set format y '10^{%T}'
 set yrange [1e-9:3e-2]
-set key at screen 0.73, screen 0.24 left top maxrows 7
+set key at screen 0.73, screen 0.265 left top maxrows 7
 cuts = dir.'/'.name.'.cuts.csv'
 plot for [m in 'wls wls2 ge_wls'] cuts using (strcol('method') eq m ? column('cells') : NaN):'error' with linespoints ls style(m) title label(m), \
      0.2 / x**2 with lines ls 20 title '0.2 h^{ 2} / m'

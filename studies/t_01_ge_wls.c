@@ -168,8 +168,8 @@ static void check_ring(Check *c, const Table *rows)
         snprintf(id, sizeof id, "T-1b.four-%d", n);
         snprintf(text, sizeof text, "four periods, N = %d: largest error over FEM's", n);
         claim(c, id, text,
-              value_pick(rows, "error_linf", "method=ge_wls cells=%d t_end=0.08", n) /
-                  value_pick(rows, "error_linf", "method=fem cells=%d t_end=0.08", n),
+              value_pick(rows, "error_linf", "problem=ring method=ge_wls cells=%d t_end=0.08", n) /
+                  value_pick(rows, "error_linf", "problem=ring method=fem cells=%d t_end=0.08", n),
               0, 1);
     }
 }
@@ -199,13 +199,13 @@ static void check_doubts(Check *c, const Table *rows)
     note_number(c, "spread", sd[0] / mean[0]);
     for (int k = 0; k < STEPS; k++) {
         const double s =
-            value_pick(rows, "error_linf", "method=ge_wls cells=32 cfl=%.17g", cfl[k]) /
-            value_pick(rows, "error_linf", "method=fem cells=32 cfl=0.05");
+            value_pick(rows, "error_linf", "problem=ring method=ge_wls cells=32 cfl=%.17g", cfl[k]) /
+            value_pick(rows, "error_linf", "problem=ring method=fem cells=32 cfl=0.05");
         worst = s <= worst ? worst : s;
     }
     claim(c, "T-1b.cfl", "CFL .05 to .8, N = 32: largest error over FEM's at CFL .05", worst, 0, 1);
     for (int row = 0; row < rows->nrow; row++)
-        lost += strcmp(table_text(rows, row, "method"), "ge_wls") == 0 && is_lost(rows, row);
+        lost += strcmp(table_text(rows, row, "method"), rivals[0]) == 0 && is_lost(rows, row);
     claim(c, "T-1b.lost", "runs of ge_wls lost, of all here, parts removed included", lost, 0, 0);
     claim(c, "T-1b.vortex", "generalized vortex, G = .2, N = 32: largest error over FEM's",
           value_of(rows, "vortex", "ge_wls", 32, NULL, "error_linf") /

@@ -82,17 +82,23 @@ static void cases(Cases *list, bool quick)
         }
 }
 
-/* Largest distance [m] of any cut point of a file of patches from the ring's radii at the start. A
- * point on an edge of a cell has one coordinate on a grid line. */
-static double cut_error(const Table *t, int n)
+/* Largest distance [m] of any cut point of a file of patches from the ring's radii at the start;
+ * NAN if it cannot be read. A point on an edge of a cell has one coordinate on a grid line. */
+static double cut_error(const char *path, int n)
 {
+    FILE *f = fopen(path, "r");
+    char line[256];
     double most = NAN;
-    for (int row = 0; row < t->nrow; row++) {
-        const double x = table_number(t, row, "x") * n, y = table_number(t, row, "y") * n;
-        const double off_x = fabs(x - round(x)), off_y = fabs(y - round(y)), r = hypot(x, y) / n;
-        if (!(table_number(t, row, "cut") > 0) || (off_x > 1e-7) == (off_y > 1e-7)) continue;
-        most = fmax(most, fmin(fabs(r - 0.625), fabs(r - 1.1)));
+    while (f && fgets(line, sizeof line, f)) {
+        int cell, k, cut;
+        double x, y;
+        if (sscanf(line, "%d,%d,%lf,%lf,%d", &cell, &k, &x, &y, &cut) != 5 || !cut) continue;
+        const bool on_x = fabs(x * n - round(x * n)) < 1e-7,
+                   on_y = fabs(y * n - round(y * n)) < 1e-7;
+        if (on_x == on_y) continue;
+        most = fmax(most, fmin(fabs(hypot(x, y) - 0.625), fabs(hypot(x, y) - 1.1)));
     }
+    if (f) fclose(f);
     return most;
 }
 
@@ -105,12 +111,11 @@ static int tables(const char *dir, bool quick, Fault *fault)
     for (int m = 0; f && m < METHODS; m++)
         for (int k = 0; k < (quick ? 2 : CUT_MESHES); k++) {
             snprintf(part, sizeof part, "%s.%d", cut_methods[m], cut_cells[k]);
-            Table *t = part_read(dir, name, part, NULL);
-            if (t)
-                fprintf(f, "%s,%d,%.17g\n", cut_methods[m], cut_cells[k],
-                        cut_error(t, cut_cells[k]));
-            table_free(t);
+            part_path(path, dir, name, part);
+            fprintf(f, "%s,%d,%.17g\n", cut_methods[m], cut_cells[k],
+                    cut_error(path, cut_cells[k]));
         }
+    part_path(path, dir, name, "cuts");
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 

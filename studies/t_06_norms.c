@@ -253,9 +253,6 @@ static void check_tables(Check *c, const Table *t, const Table *same)
     claim(c, "T-6.vortex-fem-order", "vortex: the same", order_spread(t, "vortex", "fem"), 0, 0.25);
     claim(c, "T-6.axis-gimp-order", "GIMP, too, where all is smooth: order of the largest error",
           norm(t, "axis_mms", "gimp", 0, "order"), 1.8, 2.2);
-    claim(c, "T-6.axis-ge-order",
-          "GE-GIMP there: the norm decides: largest less least order of six (own pin)",
-          order_spread(t, "axis_mms", "ge_gimp"), 0.3, 1);
     claim(c, "T-6.ratio",
           "ring, N = 32: GIMP's error over FEM's: the largest ratio of six over the least",
           ratio_spread(t), 3, 6);

@@ -76,7 +76,7 @@ if [ -d "$BUILD/gcc/d2" ]; then
         stages "$BUILD/gcc/d$d/common/mirror.o" 2 # visits, once a line of symmetry
         stages "$BUILD/gcc/d$d/common/solve.o" 1  # repair
         stages "$BUILD/gcc/d$d/common/deposit.o" 10 # width and shapes twice (filters), payload, body force, assemble; distance
-        stages "$BUILD/gcc/d$d/common/gather.o" 10  # width and shapes thrice (filters, first moments), update
+        stages "$BUILD/gcc/d$d/common/gather.o" 11  # width and shapes thrice (filters, first moments), update (one call, two sites by gcc)
     done
 fi
 

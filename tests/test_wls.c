@@ -167,11 +167,15 @@ static void surface_errors(int cells, const char *distance, double *error, doubl
             const double d[4] = {w->distance[at], w->distance[at + 1], w->distance[up],
                                  w->distance[up + 1]};
             double xi[MAX_POINTS][DIM], weight[MAX_POINTS];
+            Bend bend[4];
             if (i < -g->origin[0] || row < -g->origin[1]) continue; /* beyond a symmetry line */
             if (w->skin[at][0][K_ONE] > 0)
                 *error = fmax(*error, fabs(d[0] - sim_distance(t.sim, index, 0)));
             if (i + 1 >= g->hi[row] || i < g->lo[row + 1] || i + 1 >= g->hi[row + 1]) continue;
-            const int n = wls_cell_points(d, NULL, true, xi, weight);
+            for (int k = 0; k < 4; k++)
+                wls_bend(w->skin[(k > 1 ? up : at) + (size_t)(k & 1)], &bend[k]);
+            const int n = wls_cell_points(d, w->distance_by == DISTANCE_CURVED ? bend : NULL, true,
+                                          xi, weight);
             for (int q = 0; q < n; q++) *area += weight[q] / cells / cells;
         }
     const double R = 0.5 + trial_displacement(&t, 0.5), Ro = 1 + trial_displacement(&t, 1);
@@ -188,6 +192,8 @@ static void test_distances(void)
         surface_errors(cells, "normals", &error, &area);
         CU_ASSERT(error < 0.2 * 16 / cells);
         CU_ASSERT(area < 3e-5 * (16.0 / cells) * (16.0 / cells));
+        surface_errors(cells, "curved", &unused, &mean);
+        CU_ASSERT(unused <= error && mean < 3.4e-7 * pow(32.0 / cells, 3)); /* PHYSICS 8b */
         surface_errors(cells, "weighted_mean", &mean, &unused);
         CU_ASSERT(mean > 1.5 * error);
         surface_errors(cells, "exact", &error, &unused);

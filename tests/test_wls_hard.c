@@ -2,7 +2,7 @@
 #include "../common/place.h"
 #include "wls_check.h"
 
-extern const Method method_wls, method_wls2;
+extern const Method method_wls, method_wls2, method_ge_wls;
 
 enum { H = 16 }; /* cells per unit length */
 
@@ -156,13 +156,13 @@ static void test_hard(void)
         bool (*place)(const Scene *s, double spacing, bool fitted, Layout *out);
     } cases[] = {{"strip", strip}, {"wedge", wedge},   {"slit", slit},
                  {"gaps", gaps},   {"sparse", sparse}, {"lone", lone}};
-    const Method *const both[] = {&method_wls, &method_wls2};
+    const Method *const all[] = {&method_wls, &method_wls2, &method_ge_wls};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
-        for (int m = 0; m < 2; m++) {
+        for (int m = 0; m < 3; m++) {
             const Problem problem = {
                 .info = {.name = cases[k].name}, .start = swing, .place = cases[k].place};
             StatusCode end;
-            const long fallbacks = endure(both[m], &problem, &end);
+            const long fallbacks = endure(all[m], &problem, &end);
             CU_ASSERT(end != NOT_A_NUMBER);
             CU_ASSERT((end == SINGULAR) == (cases[k].place == lone || cases[k].place == sparse));
             CU_ASSERT(fallbacks > 0);

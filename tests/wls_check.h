@@ -8,7 +8,7 @@
 #include "../common/step.h"
 #include "check.h"
 
-extern const TestCase wls_tests[], wls_hard_tests[], axis_tests[], vortex_tests[];
+extern const TestCase wls_tests[], wls_hard_tests[], ge_wls_tests[], axis_tests[], vortex_tests[];
 
 typedef struct Trial {
     RunSpec spec;
