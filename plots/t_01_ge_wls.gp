@@ -1,7 +1,7 @@
 # GE-WLS beside FEM: each part removed; time steps; the disk's energy.
 load plots.'/style.gp'
 load dir.'/'.name.'.var'
-set multiplot layout 1,3 margins 0.07,0.99,0.38,0.92 spacing 0.075
+set multiplot layout 1,3 margins 0.085,0.99,0.38,0.92 spacing 0.095
 shares = dir.'/'.name.'.shares.csv'
 set logscale xy
 set xrange [7:150]
@@ -9,7 +9,7 @@ set xtics (8, 16, 32, 64, 128)
 set yrange [0.5:4]
 set ytics (0.5, 0.7, 1, 1.5, 2, 3, 4)
 set xlabel 'cells over the outer radius, N'
-set ylabel "largest error over FEM's" offset 1
+set ylabel "largest error over FEM's" offset 0.5
 set label 1 heading('(a) ring, one part less') at graph 0, graph 1.05
 set key at screen 0.05, screen 0.265 left top maxrows 7 samplen 2.2 width 1
 of(p, w) = strcol('problem') eq p && strcol('what') eq w ? column('cells') : NaN
@@ -29,7 +29,7 @@ set yrange [1e-4:1e-3]
 set ytics (1e-4, 2e-4, 5e-4, 1e-3)
 set format y '%.0e'
 set xlabel 'CFL'
-set ylabel 'largest error [m]' offset 1
+set ylabel 'largest error [m]' offset 0.5
 at(m) = strcol('problem') eq 'ring' && strcol('method') eq m && column('cells') == 32 && column('t_end') < 0.021 \
         && (m eq 'fem' || column('ppc') == 4) && strstrt(strcol('params'), 'sector=full') == 0 \
         && (m ne 'ge_wls' || (strstrt(strcol('params'), 'mass=corrected') && strstrt(strcol('params'), 'hermite=2') \
@@ -46,7 +46,7 @@ set xtics 1
 set yrange [0.9:1.05]
 set format y '%.2f'
 set xlabel 'time [s]'
-set ylabel 'E/E_0' offset 1
+set ylabel 'E/E_0' offset 0.5
 disk(k) = dir.'/'.name.'.disk.'.k.'.csv'
 E0 = 0
 first(e) = (E0 = $0 == 0 ? e : E0, e / E0)

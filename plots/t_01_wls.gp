@@ -1,7 +1,7 @@
 # WLS on the ring, one reading changed at a time: from the published method on, and from the cured one back.
 load plots.'/style.gp'
 load dir.'/'.name.'.var'
-set multiplot layout 1,3 margins 0.07,0.99,0.38,0.92 spacing 0.07
+set multiplot layout 1,3 margins 0.085,0.99,0.38,0.92 spacing 0.085
 set logscale xy
 set format y '10^{%T}'
 set yrange [5e-6:3e-2]
@@ -38,7 +38,7 @@ plot csv using (from_wls2(0) == 0 ? column('cells') : NaN):'error_linf' with lin
      0.5 / x**2 with lines ls 20 title 'N^{ −2}'
 
 set label 1 heading('(c) cut points')
-set ylabel 'distance from the surface [m]' offset 1
+set ylabel 'distance from the surface [m]' offset 0.5
 set format y '10^{%T}'
 set yrange [1e-9:3e-2]
 set key at screen 0.73, screen 0.265 left top maxrows 7
