@@ -33,7 +33,7 @@ do for [k = 1:6] {
         set label 2 (c == 1 ? 'CPU time of the step loop [s]' : k == 6 ? 'particles of one projection' : \
             'particle-steps (FEM: element-steps)') at graph 0.98, graph 0.94 right font sprintf(',%d', fmt eq 'png' ? 16 : 11)
         if (k == 6 && c == 1) {
-            set key at screen 0.1, screen 0.068 left top maxrows 4 samplen 2.2 width 1
+            set key at screen 0.1, screen 0.068 left top maxrows 5 samplen 2.2 width 1
         } else { set key off }
         plot points_ using (every(p, cost, all_)):'error' smooth unique with steps lw 7 lc rgb '#e2e2d6' notitle, \
              for [m in seen] points_ using (c == 1 ? of(p, m, cost) : NaN):'error' with points ls style(m) ps 0.35 notitle, \
