@@ -199,7 +199,8 @@ static void check_doubts(Check *c, const Table *rows)
     note_number(c, "spread", sd[0] / mean[0]);
     for (int k = 0; k < STEPS; k++) {
         const double s =
-            value_pick(rows, "error_linf", "problem=ring method=ge_wls cells=32 cfl=%.17g", cfl[k]) /
+            value_pick(rows, "error_linf", "problem=ring method=ge_wls cells=32 cfl=%.17g",
+                       cfl[k]) /
             value_pick(rows, "error_linf", "problem=ring method=fem cells=32 cfl=0.05");
         worst = s <= worst ? worst : s;
     }
