@@ -87,7 +87,7 @@ typedef struct Wls {
     double *cell_mass;   /* [nodes] of the full cell above a node [kg], with it */
     double *most;        /* [nodes] largest W of any particle */
     double *distance;    /* [nodes] [cells] from the surface, > 0 inside */
-    unsigned char *good; /* [nodes] 1: alpha of eqs 19-21 */
+    unsigned char *good; /* [nodes] not 0: alpha of eqs 19-21; with SOUND: has mass, too */
     long *fallbacks;     /* [rows] of this step */
 } Wls;
 
@@ -96,11 +96,12 @@ static inline Wls *wls_of(const Sim *sim)
     return sim->own;
 }
 
-/* Is node `at` good, with mass? */
+/* Is node `at` good, with mass of its own? Known from the start of the repair on, which gives
+ * others a token of mass, so that no node depends on when its neighbours are repaired. */
+enum { SOUND = 2 };
 static inline bool wls_is_sound(const Sim *sim, size_t at)
 {
-    const Wls *w = sim->own;
-    return w->good[at] && sim->g.node[at][0] > sim->mass_cut;
+    return wls_of(sim)->good[at] & SOUND;
 }
 
 /* Moments, loads, largest weights and surface sums of all live nodes, symmetry included. */

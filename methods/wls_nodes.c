@@ -22,7 +22,7 @@ static void add_neighbour(const Sim *sim, size_t at, const double sign[DIM], con
         for (int d = 0; d < DIM; d++) v -= sign[d] * away[d] * w->fit[at][FIT_SLOPE + d][Q_V + a];
         out->v[a] += sign[a] * v;
     }
-    if (!(g->node[at][0] > sim->mass_cut)) return;
+    if (!wls_is_sound(sim, at)) return;
     out->massive += 1;
     out->mass += g->node[at][0];
     for (int a = 0; a < DIM; a++) {
