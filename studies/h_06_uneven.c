@@ -112,19 +112,8 @@ static void write_marks(FILE *f, const Table *t)
 
 static int tables(const char *dir, bool quick, Fault *fault)
 {
-    char path[PATH_TEXT];
     (void)quick;
-    part_path(path, dir, name, "points");
-    Table *rows = part_read(dir, name, NULL, fault);
-    FILE *f = rows ? file_begin(path, fault) : NULL;
-    if (f) write_points(f, rows);
-    table_free(rows);
-    if (!f || file_commit(f, path, fault)) return FAULT_MACHINE;
-    Table *t = part_read(dir, name, "points", fault);
-    FILE *g = t ? grades_begin(dir, name, fault) : NULL;
-    if (g) write_marks(g, t);
-    table_free(t);
-    return hard_end(g, dir, name, "grades", fault);
+    return hard_tables(dir, name, "points", write_points, write_marks, fault);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)

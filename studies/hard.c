@@ -60,6 +60,24 @@ int hard_end(FILE *f, const char *dir, const char *name, const char *part, Fault
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
+int hard_tables(const char *dir, const char *name, const char *part,
+                void (*points)(FILE *f, const Table *rows),
+                void (*marks)(FILE *f, const Table *points), Fault *fault)
+{
+    char path[PATH_TEXT];
+    part_path(path, dir, name, part);
+    Table *rows = part_read(dir, name, NULL, fault);
+    FILE *f = rows ? file_begin(path, fault) : NULL;
+    if (f) points(f, rows);
+    table_free(rows);
+    if (!f || file_commit(f, path, fault)) return FAULT_MACHINE;
+    Table *t = part_read(dir, name, part, fault);
+    FILE *g = t ? grades_begin(dir, name, fault) : NULL;
+    if (g) marks(g, t);
+    table_free(t);
+    return hard_end(g, dir, name, "grades", fault);
+}
+
 void remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy, Mark before,
                 Mark after)
 {

@@ -30,6 +30,13 @@ bool has_param(const Info *method, const char *name);
 FILE *grades_begin(const char *dir, const char *name, Fault *fault);
 FILE *remedies_begin(const char *dir, const char *name, Fault *fault);
 int hard_end(FILE *f, const char *dir, const char *name, const char *part, Fault *fault);
+
+/* Tables of a page: dir/NAME.PART.csv by `points` from the rows, then grades by `marks` from that.
+ */
+int hard_tables(const char *dir, const char *name, const char *part,
+                void (*points)(FILE *f, const Table *rows),
+                void (*marks)(FILE *f, const Table *points), Fault *fault);
+
 void mark_add(FILE *f, const char *hard_case, const char *method, Mark grade, const char *note, ...)
     __attribute__((format(printf, 5, 6)));
 
