@@ -82,7 +82,8 @@ typedef struct Wls {
     double inside;       /* nodes with more beta are inside, eq 14 */
     double surface_beta; /* beta of a surface point: 1, less where they are denser */
     Line (*fit)[FIT];    /* [nodes] */
-    Line (*skin)[2];     /* [nodes] sums over surface points */
+    Line (*skin)[2];     /* [nodes] sums over surface points, 0 but where `skinned` */
+    bool *skinned;       /* [nodes] */
     Line *inertia;       /* [nodes] of the mass correction, or NULL */
     double *cell_mass;   /* [nodes] of the full cell above a node [kg], with it */
     double *most;        /* [nodes] largest W of any particle */

@@ -34,6 +34,7 @@ static void fold_pair(Sim *sim, const Mirror *m, size_t ghost, size_t image, int
         w->fit[image][FIT_SLOPE + d] +=
             (d == m->axis ? -1.0 : 1.0) * q.value * w->fit[ghost][FIT_SLOPE + d];
     for (int k = 0; k < 2; k++) w->skin[image][k] += q.skin[k] * w->skin[ghost][k];
+    w->skinned[image] |= w->skinned[ghost];
     w->most[image] = w->most[ghost] > w->most[image] ? w->most[ghost] : w->most[image];
 }
 

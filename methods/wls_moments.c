@@ -91,18 +91,18 @@ static void weigh(const Wls *w, const Chunk *c, Kernel *kernel)
 }
 
 /* f_ext = rho b, sigma = T/J; a law whose T is not symmetric gives half of both. */
-static void load_forces(const Sim *sim, const Chunk *c, double t, Deposit *w)
+static void load_forces(const Sim *sim, const Chunk *c, double t, const Field rho, Deposit *w)
 {
-    const Field *rho = (const Field *)&w->quantity[Q_RHO], *T = (const Field *)w->T;
     const double half = 0.5 / sim->setup->scene->mat.rho;
     sim_stress(sim, c, w->T);
     sim_body(sim, c, t, w->body);
     for (int a = 0; a < DIM; a++) {
-        for (int p = 0; p < CHUNK; p++) w->quantity[Q_FORCE + a][p] = (*rho)[p] * w->body[a][p];
-        for (int b = a; b < DIM; b++)
+        for (int p = 0; p < CHUNK; p++) w->quantity[Q_FORCE + a][p] = rho[p] * w->body[a][p];
+        for (int b = a; b < DIM; b++) {
+            const int lane = Q_SIGMA + pair(a, b), ab = a * DIM + b, ba = b * DIM + a;
             for (int p = 0; p < CHUNK; p++)
-                w->quantity[Q_SIGMA + pair(a, b)][p] =
-                    half * (*rho)[p] * (T[a * DIM + b][p] + T[b * DIM + a][p]);
+                w->quantity[lane][p] = half * rho[p] * (w->T[ab][p] + w->T[ba][p]);
+        }
     }
 }
 
@@ -110,16 +110,18 @@ static void load_forces(const Sim *sim, const Chunk *c, double t, Deposit *w)
 static void load_quantities(const Sim *sim, const Chunk *c, double t, bool force, Deposit *w)
 {
     const double rho0 = sim->setup->scene->mat.rho;
+    Field rho;
     for (int a = 0; a < DIM; a++)
         for (int p = 0; p < CHUNK; p++) w->quantity[Q_V + a][p] = c->v[a][p];
     for (int p = 0; p < CHUNK; p++) {
         Mat F;
         for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
-        w->quantity[Q_RHO][p] = rho0 / determinant(F);
+        rho[p] = rho0 / determinant(F);
     }
+    for (int p = 0; p < CHUNK; p++) w->quantity[Q_RHO][p] = rho[p];
     for (int l = Q_FORCE; l < LANES; l++)
         for (int p = 0; p < CHUNK; p++) w->quantity[l][p] = 0;
-    if (force) load_forces(sim, c, t, w);
+    if (force) load_forces(sim, c, t, rho, w);
     for (int p = 0; p < CHUNK; p++)
         for (int l = 0; l < LANES; l++) w->A[p][l] = w->quantity[l][p];
 }
@@ -251,7 +253,8 @@ static void clear_row(const Grid *g, Wls *w, int row)
     const Line zero = g->zero;
     for (size_t at = start + (size_t)g->lo[row]; at < start + (size_t)g->hi[row]; at++) {
         for (int k = 0; k < FIT; k++) w->fit[at][k] = zero;
-        if (w->skin[at][0][K_ONE] > 0) w->skin[at][0] = w->skin[at][1] = zero; /* few nodes */
+        if (w->skinned[at]) w->skin[at][0] = w->skin[at][1] = zero; /* few nodes */
+        w->skinned[at] = false;
         w->most[at] = 0;
     }
 }

@@ -54,7 +54,7 @@
 #define WLS_STAGES                                                                                 \
     .valid = 1u << CD | 1u << USL, .integrator = {[1] = CD, [2] = CD, [3] = CD}, .surface = true,  \
     .about_node = true, .width = tent_width, .shape = inner_tent_shape, .update = flip_update,     \
-    .node_bytes = sizeof(Line[FIT + 3]) + 3 * sizeof(double) + 1, .assemble = wls_assemble,        \
+    .node_bytes = sizeof(Line[FIT + 3]) + 3 * sizeof(double) + 2, .assemble = wls_assemble,        \
     .repair = wls_repair, .patches = wls_patches, .make = wls_make, .free = wls_free,              \
     .adapt = wls_adapt
 

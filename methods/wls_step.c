@@ -31,6 +31,7 @@ bool wls_make(Sim *sim)
     w->surface_beta = denser > 0 ? 1 / denser : 1;
     w->fit = nodes_of(n, sizeof *w->fit);
     w->skin = nodes_of(n, sizeof *w->skin);
+    w->skinned = calloc(n + 1, sizeof *w->skinned);
     if (w->skin) memset(w->skin, 0, (n + 1) * sizeof *w->skin);
     if (w->corrected) {
         w->inertia = nodes_of(n, sizeof *w->inertia);
@@ -40,7 +41,7 @@ bool wls_make(Sim *sim)
     w->distance = nodes_of(n, sizeof *w->distance);
     w->good = nodes_of(n, 1);
     w->fallbacks = calloc((size_t)g->rows, sizeof *w->fallbacks);
-    return w->fit && w->skin && w->most && w->distance && w->good && w->fallbacks &&
+    return w->fit && w->skin && w->skinned && w->most && w->distance && w->good && w->fallbacks &&
            ((w->inertia && w->cell_mass) || !w->corrected);
 }
 
@@ -48,7 +49,7 @@ void wls_free(Sim *sim)
 {
     Wls *w = wls_of(sim);
     free(w->fit), free(w->skin), free(w->inertia), free(w->most), free(w->distance), free(w->good);
-    free(w->cell_mass), free(w->fallbacks);
+    free(w->cell_mass), free(w->skinned), free(w->fallbacks);
     free(w);
 }
 

@@ -42,6 +42,7 @@ void wls_skin_point(Sim *sim, const Chunk *c, int p)
             S *= 1 - fabs(away[d]);
         }
         Line *first = &w->skin[at][0], *second = &w->skin[at][1];
+        w->skinned[at] = true;
         (*first)[K_ONE] += S;
         for (int d = 0; d < DIM; d++) {
             (*first)[K_FIRST + d] += S * away[d];
@@ -152,7 +153,7 @@ void wls_distances(Sim *sim, int row, double t)
         double d = w->fit[at][FIT_MOMENTS][M_BETA] > w->inside ? 1 : -1;
         if (w->distance_by == DISTANCE_EXACT)
             d = sim_distance(sim, index, t);
-        else if (w->skin[at][0][K_ONE] > 0)
+        else if (w->skinned[at] && w->skin[at][0][K_ONE] > 0)
             d = distance_by_points(sim, index, w->skin[at]);
         w->distance[at] = fabs(d) < ON_SURFACE ? ON_SURFACE : d;
     }
