@@ -62,15 +62,16 @@ static void average_force(const Sim *sim, size_t at, Line *node, const Around *n
     }
 }
 
-/* A token of mass, so that the node moves with a = sum f / sum m of its neighbours. */
+/* A token of mass, so that the node moves with a = sum f / sum m of its neighbours, or goes on
+ * with its own v if none has mass: eq 14 sees no inside where particles are thin. */
 static void move_along(Sim *sim, size_t at, Line *node, const Around *n)
 {
     Grid *g = &sim->g;
-    const double token = 1e3 * sim->mass_cut;
+    const double token = 1e3 * sim->mass_cut, share = n->massive > 0 ? token / n->mass : 0;
     (*node)[0] = token;
     for (int s = 1 + DIM; s < FLUX; s++) (*node)[s] = token;
     for (int a = 0; a < DIM; a++) {
-        (*node)[FLUX + a] = token * (n->inner[a] + n->outer[a]) / n->mass;
+        (*node)[FLUX + a] = share * (n->inner[a] + n->outer[a]);
         if (g->force) g->force[at * DIM + (size_t)a] = 0;
     }
 }
@@ -86,7 +87,7 @@ static void repair_node(Sim *sim, size_t at, const int index[DIM], double dt, lo
         const Around n = look_around(sim, index);
         for (int a = 0; a < DIM && w->extrapolate && !w->good[at] && n.count > 0; a++)
             v[a] = n.v[a] / n.count;
-        if (light && used && n.massive > 0) move_along(sim, at, node, &n);
+        if (light && used) move_along(sim, at, node, &n);
         if (!light && n.massive > 0) average_force(sim, at, node, &n);
         *fallbacks += used && !(n.massive > 0);
     }
