@@ -89,6 +89,7 @@ typedef struct Wls {
     double *most;        /* [nodes] largest W of any particle */
     double *distance;    /* [nodes] [cells] from the surface, > 0 inside */
     unsigned char *good; /* [nodes] not 0: alpha of eqs 19-21; with SOUND: has mass, too */
+    bool body;           /* some node has mass */
     long *fallbacks;     /* [rows] of this step */
 } Wls;
 

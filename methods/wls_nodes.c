@@ -87,7 +87,7 @@ static void repair_node(Sim *sim, size_t at, const int index[DIM], double dt, lo
         const Around n = look_around(sim, index);
         for (int a = 0; a < DIM && w->extrapolate && !w->good[at] && n.count > 0; a++)
             v[a] = n.v[a] / n.count;
-        if (light && used) move_along(sim, at, node, &n);
+        if (light && used && w->body) move_along(sim, at, node, &n);
         if (!light && n.massive > 0) average_force(sim, at, node, &n);
         *fallbacks += used && !(n.massive > 0);
     }

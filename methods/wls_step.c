@@ -89,22 +89,29 @@ void wls_assemble(Sim *sim, double t, bool force)
     wls_integrate(sim);
 }
 
-static void mark_sound(Sim *sim, int row)
+/* Returns whether a node has mass. */
+static bool mark_sound(Sim *sim, int row)
 {
     const Grid *g = &sim->g;
     Wls *w = wls_of(sim);
+    bool any = false;
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-        if (w->good[at] && g->node[at][0] > sim->mass_cut) w->good[at] |= SOUND;
+        const bool massive = g->node[at][0] > sim->mass_cut;
+        if (w->good[at] && massive) w->good[at] |= SOUND;
+        any |= massive;
     }
+    return any;
 }
 
 void wls_repair(Sim *sim, double dt)
 {
     const Grid *g = &sim->g;
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
+    bool any = false;
+#pragma omp parallel for schedule(static) num_threads(sim->setup->threads) reduction(|| : any)
     for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row]) mark_sound(sim, row);
+        if (g->lo[row] < g->hi[row]) any = mark_sound(sim, row) || any;
+    wls_of(sim)->body = any;
     if (wls_of(sim)->corrected) wls_correct(sim);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
