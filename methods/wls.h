@@ -74,6 +74,12 @@ static inline int pair(int d, int e)
     return d <= e ? d * DIM - d * (d - 1) / 2 + e - d : pair(e, d);
 }
 
+/* The surface near a node: mean outward normal, and curvature [1/cell] (> 0: convex), 0 where its
+ * points do not tell. */
+typedef struct Bend {
+    double normal[DIM], kappa;
+} Bend;
+
 typedef struct Wls {
     bool linear, exact, extrapolate, literal, corrected; /* choices: see the parameters */
     int distance_by;
@@ -84,6 +90,7 @@ typedef struct Wls {
     Line (*fit)[FIT];    /* [nodes] */
     Line (*skin)[2];     /* [nodes] sums over surface points, 0 but where `skinned` */
     bool *skinned;       /* [nodes] */
+    Bend *bend;          /* [nodes] or NULL: all surfaces are straight */
     Line *inertia;       /* [nodes] of the mass correction, or NULL */
     double *cell_mass;   /* [nodes] of the full cell above a node [kg], with it */
     double *most;        /* [nodes] largest W of any particle */
@@ -120,14 +127,7 @@ bool wls_solve(Line fit[FIT], bool near, double hermite);
 /* Surface point p of a chunk to the surface sums of its 2^DIM nodes. */
 void wls_skin_point(Sim *sim, const Chunk *c, int p);
 
-/* The surface near a node, from its surface sums: mean outward normal, and curvature [1/cell]
- * (> 0: convex), 0 where the points do not tell. False: nothing of the kind is known. */
-typedef struct Bend {
-    double normal[DIM], kappa;
-} Bend;
-bool wls_bend(const Line skin[2], Bend *out);
-
-/* Signed distances of the live nodes of one row. */
+/* Signed distances, and bends, of the live nodes of one row. */
 void wls_distances(Sim *sim, int row, double t);
 
 /* Mass, body force and internal force of all cells, onto the nodes of the grid. */

@@ -168,12 +168,11 @@ static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, c
         take_full(sim, corner, middle, task, lost);
         return;
     }
-    const bool curved = w->distance_by == DISTANCE_CURVED;
     for (int k = 0; k < CORNERS; k++) {
         d[k] = w->distance[corner[k]];
-        if (curved) wls_bend(w->skin[corner[k]], &bend[k]);
+        if (w->bend) bend[k] = w->bend[corner[k]];
     }
-    const int n = wls_cell_points(d, curved ? bend : NULL, w->exact, xi, weight);
+    const int n = wls_cell_points(d, w->bend ? bend : NULL, w->exact, xi, weight);
     for (int q = 0; q < n; q++) {
         shape_at(xi[q], &shape);
         take_point(sim, corner, xi[q], &shape, weight[q], task, lost);

@@ -26,14 +26,13 @@ static void show_cell(const Sim *sim, const int cell[DIM], size_t at, size_t up,
         show_polygon(sim, cell, &whole, false, visit, own);
         return;
     }
-    const bool known = wls_of(sim)->distance_by == DISTANCE_CURVED;
-    for (int k = 0; k < 4 && known; k++) {
-        Bend b;
-        wls_bend(wls_of(sim)->skin[at + (size_t)(k & 1) + (k > 1 ? up : 0)], &b);
-        curved.kappa[k] = b.kappa;
-        for (int a = 0; a < 2; a++) curved.normal[k][a] = b.normal[a % DIM];
+    const Bend *bend = wls_of(sim)->bend;
+    for (int k = 0; k < 4 && bend; k++) {
+        const Bend *b = &bend[at + (size_t)(k & 1) + (k > 1 ? up : 0)];
+        curved.kappa[k] = b->kappa;
+        for (int a = 0; a < 2; a++) curved.normal[k][a] = b->normal[a % DIM];
     }
-    const int pieces = square_pieces(d, known ? &curved : NULL, piece);
+    const int pieces = square_pieces(d, bend ? &curved : NULL, piece);
     for (int k = 0; k < pieces; k++) show_polygon(sim, cell, &piece[k], true, visit, own);
 }
 

@@ -92,9 +92,10 @@ static double mean_distance(const Sim *sim, const int index[DIM], const Line ski
     return dot < 0 ? sqrt(square) : -sqrt(square);
 }
 
-/* With <.> the S-weighted mean and t normal to nbar = <n>/|<n>|:
+/* Mean outward normal and curvature from the surface sums of a node; false: no curvature is known.
+ * With <.> the S-weighted mean and t normal to nbar = <n>/|<n>|:
  *   sb = <r.t>,  s2 = <(r.t)^2> - sb^2,  kappa = <(r.t)(n.t)>/s2. Planes only. */
-bool wls_bend(const Line skin[2], Bend *out)
+static bool find_bend(const Line skin[2], Bend *out)
 {
     *out = (Bend){{0}, 0};
     if (DIM != 2 || !(skin[0][K_ONE] > 0)) return false;
@@ -120,24 +121,24 @@ bool wls_bend(const Line skin[2], Bend *out)
 
 /* d = [<r.n_p> + <r>.nbar]/2 - kappa sb^2/2: both means of a circle's distance, whose second-order
  * parts all but cancel; the plain mean along normals where there is no curvature. */
-static double curved_distance(const Line skin[2])
+static double curved_distance(const Line skin[2], Bend *bend)
 {
     const double along = skin[0][K_ALONG] / skin[0][K_ONE];
-    Bend b;
-    if (!wls_bend(skin, &b)) return along;
+    if (!find_bend(skin, bend)) return along;
     double r[DIM], mean = 0;
     for (int d = 0; d < DIM; d++) {
         r[d] = skin[0][K_FIRST + d] / skin[0][K_ONE];
-        mean += r[d] * b.normal[d];
+        mean += r[d] * bend->normal[d];
     }
-    const double sb = r[DIM - 1] * b.normal[0] - r[0] * b.normal[DIM - 1];
-    return 0.5 * (along + mean) - 0.5 * b.kappa * sb * sb;
+    const double sb = r[DIM - 1] * bend->normal[0] - r[0] * bend->normal[DIM - 1];
+    return 0.5 * (along + mean) - 0.5 * bend->kappa * sb * sb;
 }
 
-static double distance_by_points(const Sim *sim, const int index[DIM], const Line skin[2])
+static double distance_by_points(const Sim *sim, const int index[DIM], size_t at)
 {
     const Wls *w = sim->own;
-    if (w->distance_by == DISTANCE_CURVED) return curved_distance(skin);
+    const Line *skin = w->skin[at];
+    if (w->bend) return curved_distance(skin, &w->bend[at]);
     return w->distance_by == DISTANCE_NORMALS ? skin[0][K_ALONG] / skin[0][K_ONE]
                                               : mean_distance(sim, index, skin[0]);
 }
@@ -150,11 +151,12 @@ void wls_distances(Sim *sim, int row, double t)
     for (int d = 1; d < DIM; d++) index[d] = rest % g->n[d], rest /= g->n[d];
     for (index[0] = g->lo[row]; index[0] < g->hi[row]; index[0]++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)index[0];
+        if (w->bend) w->bend[at] = (Bend){{0}, 0};
         double d = w->fit[at][FIT_MOMENTS][M_BETA] > w->inside ? 1 : -1;
         if (w->distance_by == DISTANCE_EXACT)
             d = sim_distance(sim, index, t);
         else if (w->skinned[at] && w->skin[at][0][K_ONE] > 0)
-            d = distance_by_points(sim, index, w->skin[at]);
+            d = distance_by_points(sim, index, at);
         w->distance[at] = fabs(d) < ON_SURFACE ? ON_SURFACE : d;
     }
 }

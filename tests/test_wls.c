@@ -172,10 +172,9 @@ static void surface_errors(int cells, const char *distance, double *error, doubl
             if (w->skin[at][0][K_ONE] > 0)
                 *error = fmax(*error, fabs(d[0] - sim_distance(t.sim, index, 0)));
             if (i + 1 >= g->hi[row] || i < g->lo[row + 1] || i + 1 >= g->hi[row + 1]) continue;
-            for (int k = 0; k < 4; k++)
-                wls_bend(w->skin[(k > 1 ? up : at) + (size_t)(k & 1)], &bend[k]);
-            const int n = wls_cell_points(d, w->distance_by == DISTANCE_CURVED ? bend : NULL, true,
-                                          xi, weight);
+            for (int k = 0; k < 4 && w->bend; k++)
+                bend[k] = w->bend[(k > 1 ? up : at) + (size_t)(k & 1)];
+            const int n = wls_cell_points(d, w->bend ? bend : NULL, true, xi, weight);
             for (int q = 0; q < n; q++) *area += weight[q] / cells / cells;
         }
     const double R = 0.5 + trial_displacement(&t, 0.5), Ro = 1 + trial_displacement(&t, 1);
