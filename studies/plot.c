@@ -22,17 +22,20 @@ enum { FORMATS = 3 };
 
 char *plots_folder(void)
 {
-    static const char *const places[] = {"../plots", "../../plots", "../share/mpmlab/plots"};
-    char self[PATH_MAX], found[PATH_MAX];
-    ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
+    static const char *const places[] = {"plots", "share/mpmlab/plots"};
+    char above[PATH_MAX];
+    ssize_t n = readlink("/proc/self/exe", above, sizeof above - 1);
     if (n <= 0) return NULL;
-    self[n] = '\0';
-    *strrchr(self, '/') = '\0';
-    for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
-        char *path = text_of("%s/%s", self, places[k]);
-        int there = realpath(path, found) != NULL;
-        free(path);
-        if (there) return text_of("%s", found);
+    above[n] = '\0';
+    for (char *end; (end = strrchr(above, '/'));) {
+        *end = '\0';
+        for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+            char *path = text_of("%s/%s", above, places[k]), *style = text_of("%s/style.gp", path);
+            const bool there = access(style, R_OK) == 0;
+            free(style);
+            if (there) return path;
+            free(path);
+        }
     }
     return NULL;
 }
@@ -156,7 +159,11 @@ int plot_study(const Study *study, const char *dir, Fault *fault)
 {
     char *plots = plots_folder(), folder[PATH_MAX];
     int code = 0;
-    if (plots && age(plots, script_name(study), ".gp") > 0 && realpath(dir, folder))
+    if (!plots)
+        code = fault_set(fault, FAULT_MACHINE,
+                         "no folder plots with style.gp above the program: %s is not drawn",
+                         study->name);
+    else if (age(plots, script_name(study), ".gp") > 0 && realpath(dir, folder))
         for (int k = 0; k < FORMATS && code == 0; k++)
             if (is_due(study, folder, plots, k)) code = draw_format(study, folder, plots, k, fault);
     free(plots);

@@ -7,8 +7,8 @@
 
 enum { PLOT_NO_GNUPLOT = GNUPLOT_ABSENT };
 
-/* The folder of scripts and page.html: beside the program's build folder, or installed; owned by
- * the caller. NULL if absent. */
+/* The folder of scripts and page.html, plots or share/mpmlab/plots in the nearest folder above the
+ * program that has it; owned by the caller. NULL if absent. */
 char *plots_folder(void);
 
 /* Draws dir/NAME.svg and .png with plots/NAME.gp if they are older than what they are made from.

@@ -12,6 +12,7 @@ printf '%-9s %7s %6s %6s %6s %8s %9s  %s\n' build seconds rows PASS FAIL DIFFERS
 try() { # NAME MAKE-ARGUMENT...
     local name=$1 out=$folder/$1.out start=$SECONDS unlike
     shift
+    rm -rf "$out"
     if ! make -s -j "$(nproc)" BUILD="$folder/$name" "$@" all >"$folder/$name.log" 2>&1 ||
         ! "$folder/$name/mpmlab" study all --jobs "$(nproc)" --out "$out" >>"$folder/$name.log" 2>&1; then
         echo "$name: FAILED, see $folder/$name.log"

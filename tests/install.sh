@@ -21,4 +21,13 @@ if command -v gnuplot >/dev/null; then
 fi
 make -s uninstall BUILD="$build" DESTDIR="$root/a root" PREFIX=/usr >"$root/log" 2>&1 || fail "uninstall"
 [ -z "$(find "$root/a root" ! -type d)" ] || fail "uninstall leaves $(find "$root/a root" ! -type d | head -n 1)"
+
+# Alone in a folder it says that it has no plots, and leaves numbers and verdicts all the same.
+alone=$(mktemp -d)
+trap 'rm -rf "$root" "$alone"' EXIT
+cp "$build/mpmlab" "$alone/"
+"$alone/mpmlab" study w07_04_squeeze --quick --out "$alone/out" 2>"$root/log"
+[ $? -eq 1 ] || fail "a program without plots: wrong status"
+grep -q 'no folder plots .* w07_04_squeeze is not drawn' "$root/log" || fail "a program without plots does not say so"
+[ -s "$alone/out/quick/w07_04_squeeze.csv" ] || fail "a program without plots loses its numbers"
 echo "installed and uninstalled"
