@@ -14,9 +14,12 @@ check() {
     valgrind -q --leak-check=full --show-leak-kinds=definite,indirect,possible --error-exitcode=9 \
         --log-file="$folder/logs/%p" "$@"
 }
-make -s -j "$(nproc)" BUILD="$folder" ARCH= OMP= OPT='-O2 -ffp-contract=off' all "$folder/tests/tools" || exit 1
+units=(core_2d core_3d core_1d wls tools scenes fem) # longest first
+make -s -j "$(nproc)" BUILD="$folder" ARCH= OMP= OPT='-O2 -ffp-contract=off' all "${units[@]/#/$folder/tests/}" || exit 1
 failed=0
-(cd "$folder/tests" && check ./tools >tools.log) || failed=1
+export folder
+export -f check
+printf '%s\n' "${units[@]}" | xargs -P "$(nproc)" -I UNIT bash -c 'cd "$folder/tests" && check ./UNIT >UNIT.log' || failed=1
 for problem in $("$folder/mpmlab" list problems | cut -f 2); do # in one process each, to its very end
     for method in $("$folder/mpmlab" list methods | cut -f 2); do
         check "$folder/mpmlab" run "$problem" --method "$method" --cells 8 --set steps=3 \
