@@ -14,19 +14,22 @@ check() {
     valgrind -q --leak-check=full --show-leak-kinds=definite,indirect,possible --error-exitcode=9 \
         --log-file="$folder/logs/%p" "$@"
 }
+unit() { (cd "$folder/tests" && check "./$1" >"$1.log"); }
+run() { # PROBLEM METHOD: in a process of its own, to its very end
+    check "$folder/mpmlab" run "$1" --method "$2" --cells 8 --set steps=3 --set allow_unstable=1 \
+        --history "$folder/$1.$2.h.csv" --particles "$folder/$1.$2.p.csv" >/dev/null 2>&1
+    [ $? -ne 9 ] # it may refuse
+}
+export folder
+export -f check unit run
+each() { xargs -P "$(nproc)" -L 1 bash -c '"$@"' bash "$1"; } # FUNCTION, arguments by line
+failed=0
 units=(core_2d core_3d core_1d wls tools scenes fem) # longest first
 make -s -j "$(nproc)" BUILD="$folder" ARCH= OMP= OPT='-O2 -ffp-contract=off' all "${units[@]/#/$folder/tests/}" || exit 1
-failed=0
-export folder
-export -f check
-printf '%s\n' "${units[@]}" | xargs -P "$(nproc)" -I UNIT bash -c 'cd "$folder/tests" && check ./UNIT >UNIT.log' || failed=1
-for problem in $("$folder/mpmlab" list problems | cut -f 2); do # in one process each, to its very end
-    for method in $("$folder/mpmlab" list methods | cut -f 2); do
-        check "$folder/mpmlab" run "$problem" --method "$method" --cells 8 --set steps=3 \
-            --set allow_unstable=1 --history "$folder/h.csv" --particles "$folder/p.csv" >/dev/null 2>&1
-        [ $? -eq 9 ] && failed=1
-    done
-done
+printf '%s\n' "${units[@]}" | each unit || failed=1
+for problem in $("$folder/mpmlab" list problems | cut -f 2); do
+    "$folder/mpmlab" list methods | cut -f 2 | sed "s/^/$problem /"
+done | each run || failed=1
 check "$folder/mpmlab" study all --quick --jobs "$(nproc)" --out "$folder/out" || failed=1
 found=$(find "$folder/logs" -type f -size +0 | wc -l)
 echo "valgrind: $(find "$folder/logs" -type f | wc -l) processes, $found with errors or leaks"
