@@ -62,12 +62,11 @@ $(BUILD)/methods/%.o: methods/%.c $(HEADERS) Makefile
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) -c -o $@ $<
 
-# 3D lines are two vectors wide, which gcc 12 gets wrong with AVX-512: it is built for any machine.
 # One object a dimension; all but its Engine is hidden, so that the dimensions can share names.
 define dimension
 $(BUILD)/d$(1)/%.o: %.c $(HEADERS) Makefile
 	@mkdir -p $$(@D)
-	$(CC) $(if $(filter 3,$(1)),$(filter-out -march=%,$(CFLAGS)),$(CFLAGS)) -DDIM=$(1) -c -o $$@ $$<
+	$(CC) $(CFLAGS) -DDIM=$(1) -c -o $$@ $$<
 $(BUILD)/d$(1)/engine.o: $(call objects,$(1))
 	ld -r -o $$@.all $$^
 	objcopy --keep-global-symbol=engine_$(1)d $$@.all $$@
