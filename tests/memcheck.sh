@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# memcheck.sh FOLDER: valgrind over the unit tests and the quick suite, in a build for any processor.
+# memcheck.sh FOLDER: valgrind over the unit tests, every method on every problem and the quick studies, in a build
+# for any processor.
 # Prints the counts; status 1 if there is an error or a leak. Many minutes.
 set -u
 if ! command -v valgrind >/dev/null; then
@@ -30,7 +31,9 @@ printf '%s\n' "${units[@]}" | each unit || failed=1
 for problem in $("$folder/mpmlab" list problems | cut -f 2); do
     "$folder/mpmlab" list methods | cut -f 2 | sed "s/^/$problem /"
 done | each run || failed=1
-check "$folder/mpmlab" study all --quick --jobs "$(nproc)" --out "$folder/out" || failed=1
+# Cases first, which the runs above stand for; then what makes tables, verdicts, figures and page of them.
+"$folder/mpmlab" study all --quick --jobs "$(nproc)" --out "$folder/out" || failed=1
+check "$folder/mpmlab" study all --quick --out "$folder/out" || failed=1
 found=$(find "$folder/logs" -type f -size +0 | wc -l)
 echo "valgrind: $(find "$folder/logs" -type f | wc -l) processes, $found with errors or leaks"
 find "$folder/logs" -type f -size +0 -exec head -n 12 {} \; | head -n 40
