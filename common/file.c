@@ -11,9 +11,11 @@
 #include <unistd.h>
 #include "table.h"
 
+enum { MOST_PATH = 4000 }; /* leaves room for what beside() appends */
+
 static void beside(const char *path, char out[PATH_MAX])
 {
-    snprintf(out, PATH_MAX, "%.4000s.%d.tmp", path, (int)getpid());
+    snprintf(out, PATH_MAX, "%.*s.%d.tmp", MOST_PATH, path, (int)getpid());
 }
 
 static void folder_of(const char *path, char out[PATH_MAX])
@@ -38,15 +40,27 @@ static int is_special(const char *path)
     return stat(path, &s) == 0 && !S_ISREG(s.st_mode);
 }
 
+/* Can a file be made beside path and renamed over it? Leaves errno if not. */
+static int is_replaceable(const char *path)
+{
+    struct stat s;
+    char folder[PATH_MAX], temporary[PATH_MAX];
+    folder_of(path, folder);
+    beside(path, temporary);
+    errno = ENAMETOOLONG;
+    if (strlen(path) > MOST_PATH || access(folder, W_OK | X_OK) != 0) return 0;
+    return lstat(temporary, &s) == 0 || errno == ENOENT; /* its name is the longer one */
+}
+
 int file_check(const char *path, Fault *fault)
 {
     struct stat s;
-    char folder[PATH_MAX];
-    folder_of(path, folder);
-    int there = stat(path, &s) == 0;
+    const int there = stat(path, &s) == 0, missing = !there && errno == ENOENT;
     if (there && S_ISDIR(s.st_mode))
         errno = EISDIR;
-    else if (there ? access(path, W_OK) == 0 : access(folder, W_OK | X_OK) == 0)
+    else if (there && access(path, W_OK) == 0 && (!S_ISREG(s.st_mode) || is_replaceable(path)))
+        return 0;
+    else if (missing && is_replaceable(path))
         return 0;
     return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
 }

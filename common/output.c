@@ -95,7 +95,6 @@ int write_samples(const char *path, const Scene *scene, const Solver *solver, co
 int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault)
 {
     Nodes n;
-    if (!solver->nodes) return fault_set(fault, FAULT_USAGE, "--nodes: this method has no grid");
     FILE *out = file_begin(path, fault);
     if (!out) return FAULT_MACHINE;
     solver->nodes(self, &n);
@@ -129,14 +128,9 @@ static void patch_lines(void *own, const Patch *patch)
 
 int write_patches(const char *path, const Solver *solver, const void *self, Fault *fault)
 {
-    Polygons p = {NULL, 0};
-    if (DIM == 2 && solver->patches) {
-        p.out = file_begin(path, fault);
-        if (!p.out) return FAULT_MACHINE;
-        fputs("cell,k,x,y,cut\n", p.out);
-        solver->patches(self, patch_lines, &p);
-        if (p.n) return file_commit(p.out, path, fault);
-        file_abandon(p.out, path);
-    }
-    return fault_set(fault, FAULT_USAGE, "--patches: this method has no polygons here");
+    Polygons p = {file_begin(path, fault), 0};
+    if (!p.out) return FAULT_MACHINE;
+    fputs("cell,k,x,y,cut\n", p.out);
+    solver->patches(self, patch_lines, &p);
+    return file_commit(p.out, path, fault);
 }

@@ -31,11 +31,11 @@ int write_samples(const char *path, const Scene *scene, const Solver *solver, co
 int write_errors(const char *path, const Scene *scene, const Points *p, double t, Scratch *s,
                  Fault *fault);
 
-/* Live nodes with their velocities: id,x,y,mass,vx,vy. */
+/* Live nodes with their velocities: id,x,y,mass,vx,vy. Of solvers that have nodes. */
 int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault);
 
 /* Polygons of cells or elements as the last step had them: cell,k,x,y,cut; a blank line between
- * two. A fault where there are none. */
+ * two. Of solvers that have patches; none after a run that ended before its first grid. */
 int write_patches(const char *path, const Solver *solver, const void *self, Fault *fault);
 
 #endif

@@ -184,8 +184,9 @@ static int choose_times(RunSpec *spec, Plan *plan, Fault *fault)
         return 0;
     }
     if (!(spec->cfl > 0)) spec->cfl = problem->cfl;
-    if (!(spec->t_end > 0) && problem->steps)
-        spec->t_end = problem->steps * spec->cfl * plan->scene.cell / plan->scene.c;
+    const double counted = problem->steps ? fmax(problem->steps, (double)plan->steps) : 0;
+    if (!(spec->t_end > 0) && counted > 0) /* more steps than the scene's own move its end */
+        spec->t_end = counted * spec->cfl * plan->scene.cell / plan->scene.c;
     if (!(spec->t_end > 0)) spec->t_end = plan->scene.t_end;
     plan->cfl = spec->cfl;
     plan->t_end = spec->t_end;
@@ -193,6 +194,36 @@ static int choose_times(RunSpec *spec, Plan *plan, Fault *fault)
     if (steps < 2e9) return 0;
     return fault_set(fault, FAULT_USAGE, "--cfl: %g to t = %g takes %.3g steps, more than 2e9",
                      spec->cfl, spec->t_end, steps);
+}
+
+int no_exact_motion(const RunSpec *spec, Fault *fault)
+{
+    return fault_set(fault, FAULT_USAGE,
+                     "--errors: got '%s', takes a scene in motion with an exact solution",
+                     spec->errors);
+}
+
+/* Outputs that this run cannot have are refused before it begins. */
+static int check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
+{
+    const Solver *solver = plan->solver;
+    const bool polygons = solver->elements || (plan->setup.method && plan->setup.method->patches);
+    const char *name = plan->method->name;
+    if (plan->scene.problem->projection && !solver->project)
+        return fault_set(fault, FAULT_USAGE,
+                         "--method: got '%s', which projects nothing onto a grid", name);
+    if (spec->errors && (!plan->scene.problem->exact || plan->scene.problem->projection))
+        return no_exact_motion(spec, fault);
+    if (spec->nodes && !solver->nodes)
+        return fault_set(fault, FAULT_USAGE,
+                         "--nodes: got '%s', takes a method with a grid, not %s", spec->nodes,
+                         name);
+    if (spec->patches && !(DIM == 2 && solver->patches && polygons))
+        return fault_set(fault, FAULT_USAGE,
+                         "--patches: got '%s', takes two dimensions and a method with polygons, "
+                         "not %s in %dD",
+                         spec->patches, name, DIM);
+    return 0;
 }
 
 int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
@@ -213,12 +244,8 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
         whole("subcycles", run[P_SUBCYCLES], fault) ||
         read_params(spec, plan->method->params, plan->method_par, fault) ||
         make_scene(spec, plan, fault) || settle_integrator(spec, plan, run, fault) ||
-        settle_strain(spec, plan, run, fault))
+        settle_strain(spec, plan, run, fault) || check_outputs(spec, plan, fault))
         return FAULT_USAGE;
-    if (spec->errors && (!plan->scene.problem->exact || plan->scene.problem->projection))
-        return fault_set(fault, FAULT_USAGE,
-                         "--errors: got '%s', takes a scene in motion with an exact solution",
-                         spec->errors);
     s->scene = &plan->scene;
     s->method_par = plan->method_par;
     s->cells = (int)spec->cells;

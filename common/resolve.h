@@ -22,6 +22,9 @@ typedef struct Plan {
 /* Fills *plan, and every default in *spec. 0 or a fault. */
 int plan_make(RunSpec *spec, Plan *plan, Fault *fault);
 
+/* The refusal of --errors where no exact motion is known. */
+int no_exact_motion(const RunSpec *spec, Fault *fault);
+
 /* Runs a spec to one row (run.c); the engine's run. */
 int run_spec(const RunSpec *spec, Row *row, Fault *fault);
 

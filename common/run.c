@@ -202,10 +202,6 @@ static int project(Loop *l, Fault *fault)
 {
     Nodes nodes;
     const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
-    if (!l->plan->solver->project)
-        return fault_set(fault, FAULT_USAGE,
-                         "--method: got '%s', which projects nothing onto a grid",
-                         l->plan->method->name);
     l->status = l->plan->solver->project(l->self);
     l->cpu = seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
     l->wall = seconds(CLOCK_MONOTONIC) - wall;
@@ -253,11 +249,13 @@ static bool fit_scratch(Loop *l)
 static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
 {
     int code = 0;
-    if (l->plan->scene.problem->projection)
+    if (l->plan->scene.problem->projection) {
         code = project(l, fault);
-    else {
+        if (!code) shoot(l, 0, true);
+    } else {
         choose_dt(l);
         if (!fit_scratch(l)) return fault_set(fault, FAULT_MACHINE, "out of memory");
+        if (spec->errors && isnan(errors_now(l, 0).linf)) return no_exact_motion(spec, fault);
         run_steps(l);
         shoot(l, l->done + (l->status.code != OK), true);
     }
@@ -281,8 +279,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     l.shots = (Snapshots){.dir = own.vtk, .every = own.every};
     l.fault = fault;
     report_inputs(&own, &plan, row);
-    if ((spec->particles && file_check(spec->particles, fault)) ||
-        (spec->nodes && file_check(spec->nodes, fault)))
+    if (spec_files_check(spec, fault) || (spec->vtk && snapshot_check(spec->vtk, fault)))
         return FAULT_MACHINE;
     if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
     if (l.history) history_header(l.history);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "state.h"
+#include "table.h"
 #include "vtk_file.h"
 
 static const char *const stems[SHOT_KINDS] = {"particles", "nodes", "cells"};
@@ -12,6 +13,18 @@ void snapshot_free(Snapshots *s)
 {
     for (int k = 0; k < SHOT_KINDS; k++) free(s->step[k]), free(s->t[k]);
     *s = (Snapshots){0};
+}
+
+static void list_path(const char *dir, int kind, char path[PATH_MAX])
+{
+    snprintf(path, PATH_MAX, "%.4000s/%s.pvd", dir, stems[kind]);
+}
+
+int snapshot_check(const char *dir, Fault *fault)
+{
+    char path[PATH_MAX];
+    list_path(dir, SHOT_PARTICLES, path);
+    return file_check(path, fault);
 }
 
 static int no_memory(Fault *fault)
@@ -38,7 +51,7 @@ static int list_it(Snapshots *s, int kind, bool last, Fault *fault)
     char path[PATH_MAX];
     if (!s->n[kind] || s->listed[kind] == s->n[kind]) return 0;
     if (!last && s->n[kind] < s->listed[kind] + s->listed[kind] / 10 + 1) return 0;
-    snprintf(path, sizeof path, "%.4000s/%s.pvd", s->dir, stems[kind]);
+    list_path(s->dir, kind, path);
     s->listed[kind] = s->n[kind];
     return vtk_collect(path, stems[kind], s->n[kind], s->step[kind], s->t[kind], fault);
 }
@@ -170,10 +183,11 @@ int snapshot_take(Snapshots *s, const Scene *scene, const Solver *solver, const 
     const int n = s->n[SHOT_PARTICLES];
     const bool due = last || step == 0 || (s->every > 0 && step % s->every == 0);
     const bool taken = n > 0 && s->step[SHOT_PARTICLES][n - 1] == step;
+    const bool grid = step > 0 || scene->problem->projection;
     int code = 0;
     if (due && !taken) {
         code = shoot_points(s, scene, solver, self, step, t, fault);
-        if (!code && solver->nodes && step > 0) code = shoot_nodes(s, solver, self, step, t, fault);
+        if (!code && solver->nodes && grid) code = shoot_nodes(s, solver, self, step, t, fault);
         if (!code && solver->patches && DIM == 2 && (solver->elements || step > 0))
             code = shoot_patches(s, scene, solver, self, step, t, fault);
     }

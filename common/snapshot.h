@@ -1,7 +1,8 @@
 /* snapshot.h: the states of a run over time for ParaView: in one folder particles_000012.vtp (FEM:
  * its nodes), nodes_... (live grid nodes), cells_... (polygons of the mesh, or of the grid's full
  * and cut cells), 12 the step, and particles.pvd, nodes.pvd, cells.pvd, which list them. The grid
- * is that of the step just taken, so that there is none at the start. */
+ * is that of the step just taken, so that there is none at the start; a scene that only projects
+ * has one snapshot, 0, with its grid. */
 #ifndef MPMLAB_SNAPSHOT_H
 #define MPMLAB_SNAPSHOT_H
 
@@ -24,5 +25,8 @@ typedef struct Snapshots {
 int snapshot_take(Snapshots *s, const Scene *scene, const Solver *solver, const void *self,
                   long step, double t, bool last, Fault *fault);
 void snapshot_free(Snapshots *s);
+
+/* Can snapshots be written into this folder? 0 or a fault with code 1. */
+int snapshot_check(const char *dir, Fault *fault);
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "info.h"
+#include "table.h"
 
 static Setting *setting_find(RunSpec *spec, const char *name)
 {
@@ -93,4 +94,13 @@ void spec_command(const RunSpec *spec, char out[SPEC_TEXT])
     if (spec->threads > 1) put(&w, " --threads %d", spec->threads);
     for (const Setting *s = NULL; (s = setting_after(spec, s));)
         put(&w, " --set %s=%s", s->name, s->value);
+}
+
+int spec_files_check(const RunSpec *s, Fault *fault)
+{
+    const char *const files[] = {s->history, s->particles, s->nodes,
+                                 s->samples, s->errors,    s->patches};
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++)
+        if (files[k] && file_check(files[k], fault)) return FAULT_MACHINE;
+    return 0;
 }

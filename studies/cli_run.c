@@ -15,6 +15,18 @@ static void print_row(const Row *row)
     puts(text);
 }
 
+/* A run may have fewer steps than --set steps=N asks for: it ends at t_end in any case. */
+static void note_steps(const RunSpec *spec, const Row *row)
+{
+    const char *steps = spec_get(spec, "steps");
+    const bool whole =
+        !(row->steps * row->dt < row->t_end * (1 - 1e-9)); /* dt is NAN without time */
+    if (steps && row->steps < strtod(steps, NULL) && whole)
+        fprintf(stderr,
+                "mpmlab: --set steps: got '%s', but t_end = %g was reached after %g steps\n", steps,
+                row->t_end, row->steps);
+}
+
 static int run(int argc, char **argv, Fault *fault)
 {
     RunArgs args;
@@ -24,12 +36,14 @@ static int run(int argc, char **argv, Fault *fault)
     const Engine *engine = engine_for(&args.spec, fault);
     if (!engine) return FAULT_USAGE;
     if ((code = engine->resolve(&args.spec, fault))) return code;
+    if ((code = spec_files_check(&args.spec, fault))) return code;
     if (args.csv && (code = csv_append_check(args.csv, fault))) return code;
     if (args.spec.vtk && (code = folder_make(args.spec.vtk, fault))) return code;
     if ((code = engine->run(&args.spec, &row, fault))) return code;
     print_row(&row);
     if (!args.quiet && strcmp(row.status, "ok") != 0)
         fprintf(stderr, "mpmlab: %s: %s\n", row.status, row.reason);
+    if (!args.quiet) note_steps(&args.spec, &row);
     return args.csv ? csv_append(args.csv, &row, args.quiet ? NULL : stderr, fault) : 0;
 }
 

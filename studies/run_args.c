@@ -2,7 +2,10 @@
 #include "run_args.h"
 
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include "memory.h"
 
 const Option run_options[] = {
     {"method", "M", "how particles and grid exchange information (default gimp)"},
@@ -128,12 +131,31 @@ static int take_number(RunSpec *spec, const struct Number *n, const char *got, F
     return 0;
 }
 
+/* Do both paths name one file, there or not yet? Devices may serve several options. */
+static bool is_same_file(const char *a, const char *b)
+{
+    struct stat s, t;
+    if (strcmp(a, b) == 0) return true;
+    if (stat(a, &s) == 0)
+        return S_ISREG(s.st_mode) && stat(b, &t) == 0 && s.st_dev == t.st_dev &&
+               s.st_ino == t.st_ino;
+    const char *base_a = strrchr(a, '/'), *base_b = strrchr(b, '/');
+    if (strcmp(base_a ? base_a + 1 : a, base_b ? base_b + 1 : b) != 0) return false;
+    char *dir_a = text_of("%.*s.", base_a ? (int)(base_a - a) + 1 : 0, a);
+    char *dir_b = text_of("%.*s.", base_b ? (int)(base_b - b) + 1 : 0, b);
+    const bool same = stat(dir_a, &s) == 0 && stat(dir_b, &t) == 0 && s.st_dev == t.st_dev &&
+                      s.st_ino == t.st_ino;
+    free(dir_a);
+    free(dir_b);
+    return same;
+}
+
 static int take_file(RunArgs *args, const struct File *f, const char *got, Fault *fault)
 {
     if (!*got) return fault_set(fault, FAULT_USAGE, "--%s: got '', takes a path", f->option);
     for (const struct File *o = files; o < files + sizeof files / sizeof *files; o++) {
         const char *taken = *(const char **)((char *)args + o->at);
-        if (taken && o != f && strcmp(taken, got) == 0)
+        if (taken && o != f && is_same_file(taken, got))
             return fault_set(fault, FAULT_USAGE, "--%s: got '%.80s', takes another path than --%s",
                              f->option, got, o->option);
     }
