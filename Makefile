@@ -81,6 +81,7 @@ figures:
 
 # The tests write below build/ only; CUnit's summary comes last.
 CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
+SWEEP_TEST  = bash tests/sweep.sh $(BUILD)/mpmlab $(BUILD)/tests
 UNIT_TESTS  = $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem \
               $(BUILD)/tests/wls $(BUILD)/tests/scenes
 WRONG_TEST  = bash tests/wrong_inputs.sh $(BUILD)/mpmlab $(BUILD)/tests
@@ -127,6 +128,7 @@ RUN_UNITS = for t in $(UNIT_TESTS); do \
 test:
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(CLI_TEST)
+	$(SWEEP_TEST)
 	bash tests/example.sh $(BUILD)/example
 	$(WRONG_TEST)
 	$(FAULT_TEST)
@@ -139,6 +141,7 @@ test:
 quick:
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(CLI_TEST)
+	$(SWEEP_TEST)
 	$(WRONG_TEST)
 	@$(RUN_UNITS)
 

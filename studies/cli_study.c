@@ -135,6 +135,19 @@ static int run_studies(const StudyArgs *args, Fault *fault)
     return code;
 }
 
+/* Can the claims and the page be written behind the runs? */
+static int check_files(const StudyOptions *o, Fault *fault)
+{
+    static const char *const names[] = {"claims.csv", "index.html"};
+    int code = o->action == STUDY_LIST ? 0 : folder_make(o->dir, fault);
+    for (int k = 0; k < 2 && code == 0 && o->action != STUDY_LIST; k++) {
+        char *path = text_of("%s/%s", o->dir, names[k]);
+        code = file_check(path, fault);
+        free(path);
+    }
+    return code;
+}
+
 static int study(int argc, char **argv, Fault *fault)
 {
     StudyArgs args = {.out = default_out, .options = {.jobs = 1}};
@@ -145,6 +158,11 @@ static int study(int argc, char **argv, Fault *fault)
     if (!args.name) return fault_set(fault, FAULT_USAGE, "NAME: got nothing, takes a study or all");
     char *dir = text_of("%s%s", args.out, args.options.quick ? "/quick" : "");
     args.options.dir = dir;
+    code = check_files(&args.options, fault);
+    if (code) {
+        free(dir);
+        return code;
+    }
     code = run_studies(&args, fault);
     if (args.options.action != STUDY_LIST && (code == 0 || code == FAULT_MACHINE)) {
         int last = publish(&check, !args.options.quick, dir, code ? &late : fault);

@@ -1,14 +1,13 @@
 /* cli_sweep.c: `sweep`: lists of run options into a study of its own, without a page of C. */
-#include <stdlib.h>
 #include <string.h>
 #include "cli.h"
-#include "memory.h"
+#include "pages.h"
 #include "plot.h"
 #include "run_args.h"
 #include "study_run.h"
 #include "sweep.h"
 
-enum { MOST_CASES = 100000 };
+enum { MOST_CASES = 100000, MOST_NAME = 40 };
 
 typedef struct SweepArgs {
     Sweep sweep;
@@ -29,6 +28,7 @@ static const Option sweep_options[] = {
     {"threads", "LIST", "threads inside a run"},
     {"set", "NAME=LIST", "a parameter of problem, method or run; may be repeated"},
     {"out", "DIR", "where results go (default build/out)"},
+    {"name", "NAME", "table and figure are sweep_NAME (default: the problem's name)"},
     {"jobs", "N", "cases at once, each in a process (default 1)"},
     {"list", NULL, "only print the missing cases, one command a line"},
     {"collect", NULL, "first take in the rows that such commands have left"},
@@ -46,6 +46,16 @@ static int take_problem(Sweep *s, const char *got, Fault *fault)
         return 0;
     }
     return refuse(fault, "PROBLEM", got, "a problem", names, n);
+}
+
+/* It becomes part of file names, in which a dot divides a table from its parts. */
+static int take_name(SweepArgs *args, const char *got, Fault *fault)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    if (!*got || strlen(got) > MOST_NAME || got[strspn(got, plain)])
+        return refuse(fault, "--name", got, "1 to 40 letters, digits, _ or -", NULL, 0);
+    snprintf(args->name, sizeof args->name, "sweep_%s", got);
+    return 0;
 }
 
 /* Adds the values of --option, or of --set NAME=. */
@@ -81,6 +91,7 @@ static int take(void *into, const char *name, const char *got, Fault *fault)
     StudyOptions *o = &args->options;
     if (!name) return take_problem(&args->sweep, got, fault);
     if (strcmp(name, "set") == 0) return take_setting(&args->sweep, got, fault);
+    if (strcmp(name, "name") == 0) return take_name(args, got, fault);
     if (strcmp(name, "jobs") == 0) return whole_parse("--jobs", got, 1024, &o->jobs, fault);
     if (strcmp(name, "out") == 0) {
         o->dir = got;
@@ -98,8 +109,8 @@ static void cases(Cases *list, bool quick)
 {
     char text[SPEC_TEXT];
     (void)quick;
-    for (int k = 0; k < (int)sweep_size(&asked.sweep); k++) {
-        sweep_case(&asked.sweep, k, text, sizeof text);
+    for (int k = 0; k < asked.sweep.chosen; k++) {
+        sweep_case(&asked.sweep, asked.sweep.choice[k], text, sizeof text);
         case_add(list, "%s", text);
     }
 }
@@ -110,15 +121,28 @@ static int tables(const char *dir, bool quick, Fault *fault)
     return sweep_tables(&asked.sweep, dir, asked.name, fault);
 }
 
+/* The files that a sweep has more than a study, before its runs. */
+static int check_files(const SweepArgs *args, Fault *fault)
+{
+    static const char *const parts[] = {"curves", "orders"};
+    char path[PATH_TEXT];
+    int code = folder_make(args->options.dir, fault);
+    for (int k = 0; k < 2 && code == 0; k++) {
+        part_path(path, args->options.dir, args->name, parts[k]);
+        code = file_check(path, fault);
+    }
+    return code;
+}
+
 /* Shows the orders: they are what the sweep was for. */
 static int print_orders(const SweepArgs *args, Fault *fault)
 {
-    char *path = text_of("%s/%s.orders.csv", args->options.dir, args->name), line[1024];
+    char path[PATH_TEXT], line[1024];
+    part_path(path, args->options.dir, args->name, "orders");
     FILE *f = fopen(path, "r");
     while (f && fgets(line, sizeof line, f)) fputs(line, stdout);
     const int code = f ? 0 : fault_set(fault, FAULT_MACHINE, "%s: cannot be read", path);
     if (f) fclose(f);
-    free(path);
     return code;
 }
 
@@ -134,7 +158,9 @@ static int run_sweep(SweepArgs *args, Fault *fault)
     if (sweep_size(&args->sweep) > MOST_CASES)
         return fault_set(fault, FAULT_USAGE, "sweep: got %g cases, takes at most %d",
                          sweep_size(&args->sweep), MOST_CASES);
-    const int code = study_run(&study, &args->options, fault);
+    int code = sweep_choose(&args->sweep, stderr, fault);
+    if (code == 0) code = check_files(args, fault);
+    if (code == 0) code = study_run(&study, &args->options, fault);
     if (code == PLOT_NO_GNUPLOT)
         fputs("mpmlab: gnuplot is not installed: no figure drawn\n", stderr);
     else if (code)
@@ -144,14 +170,14 @@ static int run_sweep(SweepArgs *args, Fault *fault)
 
 static int sweep(int argc, char **argv, Fault *fault)
 {
-    asked = (SweepArgs){.options = {.jobs = 1, .dir = "build/out"}};
+    asked = (SweepArgs){.options = {.jobs = 1, .dir = "build/out", .keep = true}};
     int code = options_read(argc, argv, sweep_options, take, &asked, fault);
     if (code == 0 && !asked.sweep.problem[0])
         code = fault_set(fault, FAULT_USAGE,
                          "PROBLEM: got nothing, takes one of those that 'list problems' prints");
-    snprintf(asked.name, sizeof asked.name, "sweep_%s", asked.sweep.problem);
+    if (!asked.name[0]) snprintf(asked.name, sizeof asked.name, "sweep_%s", asked.sweep.problem);
     if (code == 0) code = run_sweep(&asked, fault);
-    for (int k = 0; k < asked.sweep.n; k++) list_free(&asked.sweep.axis[k].list);
+    sweep_free(&asked.sweep);
     return code;
 }
 

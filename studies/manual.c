@@ -144,7 +144,9 @@ void manual_completion(const Command *const commands[], int n)
            "    case ${COMP_WORDS[COMP_CWORD - 1]} in\n"
            "    --method) words=$(_mpmlab_names methods) ;;\n"
            "    --integrator) words='cd uvf musl usl usf' ;;\n"
-           "    --csv | --history | --particles | --nodes | --vtk | --out) return ;;\n"
+           "    --csv | --history | --particles | --nodes | --samples | --errors | --patches | "
+           "--vtk | "
+           "--out | --name) return ;;\n"
            "    *) case ${COMP_WORDS[1]} in\n");
     for (int k = 0; k < n; k++) {
         printf("        %s) words=\"", commands[k]->name);

@@ -1,10 +1,13 @@
 /* sidecar.c: the table of a study with its timings last, and its papers: NAME.json (jansson). */
 #include "sidecar.h"
 
+#include <dirent.h>
+#include <errno.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include <zlib.h>
 #include "facts.h"
 #include "memory.h"
@@ -166,4 +169,85 @@ bool sidecar_is_current(const Study *study, const char *dir, char reason[128])
     free(path);
     free(csv);
     return !why;
+}
+
+static int by_text(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* How many of the listed runs are not among the cases. */
+static int runs_beyond(const json_t *list, const Cases *cases)
+{
+    const size_t n = (size_t)cases->n;
+    const char **known = must(calloc(n + 1, sizeof *known));
+    int beyond = 0;
+    for (size_t k = 0; k < n; k++) known[k] = cases->list[k].command;
+    qsort(known, n, sizeof *known, by_text);
+    for (size_t k = 0; k < json_array_size(list); k++) {
+        const char *run = json_string_value(json_array_get(list, k));
+        beyond += run && !bsearch(&run, known, n, sizeof *known, by_text);
+    }
+    free(known);
+    return beyond;
+}
+
+/* NAME-1, or the first number that is free; owned by the caller. */
+static char *free_name(const char *dir, const char *name)
+{
+    for (int k = 1;; k++) {
+        char *json = text_of("%s/%s-%d.json", dir, name, k);
+        const bool taken = access(json, F_OK) == 0;
+        free(json);
+        if (!taken) return text_of("%s-%d", name, k);
+    }
+}
+
+static int rename_part(const char *dir, const char *name, const char *to, const char *ending,
+                       Fault *fault)
+{
+    char *from = text_of("%s/%s%s", dir, name, ending), *now = text_of("%s/%s%s", dir, to, ending);
+    const int failed = rename(from, now) != 0;
+    if (failed) fault_set(fault, FAULT_MACHINE, "%s: %s", now, strerror(errno));
+    free(from);
+    free(now);
+    return failed ? FAULT_MACHINE : 0;
+}
+
+/* Everything that belongs to the table; its NAME.json last, so that a rename that was interrupted
+ * goes on next time. */
+static int rename_all(const char *dir, const char *name, const char *to, Fault *fault)
+{
+    static const char *const others[] = {".rows", ".collect", ".json"};
+    const size_t n = strlen(name);
+    DIR *d = opendir(dir);
+    int code = 0;
+    for (struct dirent *e; d && code == 0 && (e = readdir(d));) {
+        const char *ending = e->d_name + n;
+        bool moves = strncmp(e->d_name, name, n) == 0 && *ending == '.';
+        for (int k = 0; k < 3 && moves; k++) moves = strcmp(ending, others[k]) != 0;
+        if (moves) code = rename_part(dir, name, to, ending, fault);
+    }
+    if (d) closedir(d);
+    return code ? code : rename_part(dir, name, to, ".json", fault);
+}
+
+int sidecar_keep(const Study *study, const Cases *cases, const char *dir, Fault *fault)
+{
+    char *path = text_of("%s/%s.json", dir, study->name);
+    json_t *json = json_load_file(path, 0, NULL);
+    int code = 0;
+    if (runs_beyond(json_object_get(json, "inputs"), cases)) {
+        char *to = free_name(dir, study->name);
+        code = rename_all(dir, study->name, to, fault);
+        if (code == 0)
+            fprintf(stderr,
+                    "mpmlab: %s was another sweep, which is kept as %s; --name keeps both "
+                    "under names of their own\n",
+                    study->name, to);
+        free(to);
+    }
+    json_decref(json);
+    free(path);
+    return code;
 }

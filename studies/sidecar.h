@@ -13,4 +13,9 @@ int sidecar_write(const Study *study, const Cases *cases, const char *dir, Fault
 /* Is dir/NAME.csv the whole table that the study asks for now? If not, reason says why. */
 bool sidecar_is_current(const Study *study, const char *dir, char reason[128]);
 
+/* Before a table is written over one that has runs which are not among these cases: renames all
+ * files of the old one but the journal from NAME to NAME-1 (or the next free number), and says so.
+ * 0 or a fault. */
+int sidecar_keep(const Study *study, const Cases *cases, const char *dir, Fault *fault);
+
 #endif

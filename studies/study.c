@@ -98,7 +98,8 @@ static int write_notes(const Study *study, const char *dir, Fault *fault)
 static int finish(const Study *study, const StudyOptions *o, const Cases *cases,
                   const Journal *journal, Fault *fault)
 {
-    int code = write_rows(study, o->dir, cases, journal, fault);
+    int code = o->keep ? sidecar_keep(study, cases, o->dir, fault) : 0;
+    if (code == 0) code = write_rows(study, o->dir, cases, journal, fault);
     if (code == 0 && study->tables) code = study->tables(o->dir, o->quick, fault);
     if (code == 0) code = sidecar_write(study, cases, o->dir, fault);
     if (code == 0) code = write_notes(study, o->dir, fault);
@@ -120,6 +121,21 @@ static int run_locked(const Study *study, const StudyOptions *o, Cases *cases, J
     return code ? code : finish(study, o, cases, journal, fault);
 }
 
+/* What a study leaves beside its journal must find its place before the runs begin. */
+static int check_files(const Study *study, const Cases *cases, const char *dir, Fault *fault)
+{
+    static const char *const endings[] = {"csv", "json", "var", "svg", "png"};
+    int code = 0;
+    for (size_t k = 0; k < sizeof endings / sizeof *endings && code == 0; k++) {
+        char *path = text_of("%s/%s.%s", dir, study->name, endings[k]);
+        code = file_check(path, fault);
+        free(path);
+    }
+    for (const Case *c = cases->list; c < cases->list + cases->n && code == 0; c++)
+        if (c->file) code = file_check(c->file, fault);
+    return code;
+}
+
 int study_run(const Study *study, const StudyOptions *o, Fault *fault)
 {
     Cases cases;
@@ -133,7 +149,9 @@ int study_run(const Study *study, const StudyOptions *o, Fault *fault)
     bool nothing = code == 0 && o->methods && cases.n == 0; /* none of its cases has the methods */
     if (code == 0 && !nothing) code = journal_open(&journal, path, fault);
     if (code == 0 && !nothing) {
-        if (o->action != STUDY_LIST) code = journal_compact(&journal, path, cases.program, fault);
+        if (o->action != STUDY_LIST) code = check_files(study, &cases, o->dir, fault);
+        if (code == 0 && o->action != STUDY_LIST)
+            code = journal_compact(&journal, path, cases.program, fault);
         if (code == 0) code = run_locked(study, o, &cases, &journal, path, fault);
         journal_close(&journal);
     }

@@ -10,6 +10,7 @@ typedef struct StudyOptions {
     const char *dir;     /* where everything goes, created if need be */
     const char *methods; /* only these ("mpm,gimp"), or NULL: all */
     bool quick;
+    bool keep; /* a table of other runs is renamed, not replaced */
     int jobs;
     StudyAction action;
 } StudyOptions;

@@ -121,6 +121,22 @@ echo a,b >other.csv
 refused "--csv with other columns" 2 "other columns" run squeeze --csv other.csv
 ok "other.csv is as it was" test "$(cat other.csv)" = a,b
 refused "--csv nowhere" 1 "no/where.csv" run squeeze --csv no/where.csv
+# Places of outputs are looked at before the first step: none of these long runs begins, no row is lost.
+touch plain
+mkdir folder
+long=(run ring --method wls2 --cells 200 --set steps=1000000 --t-end 100)
+for option in csv history particles samples errors nodes patches; do
+    for place in no/where folder plain/x "$(printf 'x%.0s' {1..250})"; do
+        timeout 20 "$program" "${long[@]}" --$option "$place" >out 2>err
+        status=$?
+        failed_well "--$option ${place:0:20}" 1 "$place: "
+    done
+done
+for place in plain plain/x; do
+    timeout 20 "$program" "${long[@]}" --vtk $place >out 2>err
+    status=$?
+    failed_well "--vtk $place" 1 "plain"
+done
 refused "--csv a folder" 1 "directory" run squeeze --csv .
 for k in 1 2 3 4 5 6 7 8; do "$program" run squeeze --csv many.csv --ppc $k >/dev/null & done
 wait
@@ -193,23 +209,7 @@ run study $study --out f --collect
 ok "collect" cmp -s <(untimed a/$study.csv) <(untimed f/$study.csv)
 ok "collect ran only the rest" test "$(lines f/$study.rows)" -eq "$all"
 
-# Sweeps
-run sweep squeeze --method gimp,ge_gimp --cells '10:80:*2' --set field=linear,quadratic --ppc 1.3 --out s --jobs 2
-ok "sweep: $(cat err)" test "$status" -eq 0 -a "$(lines out)" -eq 5
-ok "sweep: a row a combination" test "$(lines s/sweep_squeeze.csv)" -eq 17
-ok "sweep: orders" awk -F, '$2 == "ge_gimp; quadratic" && $7 > 1.9 && $7 < 2.1 { n++ } END { exit n != 1 }' out
-if command -v gnuplot >/dev/null; then ok "sweep: figure" test -s s/sweep_squeeze.svg -a -s s/sweep_squeeze.png; fi
-run sweep squeeze --method gimp,ge_gimp --cells 10,20,40,80,160 --set field=linear,quadratic --ppc 1.3 --out s
-ok "sweep: a longer one runs the rest" test "$(lines s/sweep_squeeze.rows)" -eq 20
-run sweep squeeze --cells 10,20 --ppc '1:2:+.5' --out s --list
-ok "sweep: list" test "$(lines out)" -eq 6
-bash out >/dev/null
-run sweep squeeze --cells 10,20 --ppc '1:2:+.5' --out s --collect
-ok "sweep: collect" test "$status" -eq 0 -a "$(lines s/sweep_squeeze.csv)" -eq 7
-run sweep bar --cells 8,16 --ppc 2 --t-end .001 --out s
-ok "sweep: of numbers" test "$status" -eq 0 -a "$(lines out)" -eq 2
-run sweep free_block --cells 8,16 --set dim=1 --out s
-ok "sweep: without exact solution" grep -q energy_drift out
+# Other options of run
 run run squeeze --set repeat=2
 ok "repeat is part of the key only" grep -q 'repeat=2' out
 run run sine_bar --cells 10 --errors e.csv
