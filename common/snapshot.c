@@ -188,7 +188,7 @@ int snapshot_take(Snapshots *s, const Scene *scene, const Solver *solver, const 
     if (due && !taken) {
         code = shoot_points(s, scene, solver, self, step, t, fault);
         if (!code && solver->nodes && grid) code = shoot_nodes(s, solver, self, step, t, fault);
-        if (!code && solver->patches && DIM == 2 && (solver->elements || step > 0))
+        if (!code && solver->patches && DIM == 2 && (solver->elements || grid))
             code = shoot_patches(s, scene, solver, self, step, t, fault);
     }
     for (int kind = 0; kind < SHOT_KINDS && !code; kind++) code = list_it(s, kind, last, fault);

@@ -106,15 +106,15 @@ static int try_case(const char *text, Fault *fault)
     return run_text_resolve(text, &spec, &engine, fault);
 }
 
-/* Is a value that no combination can be run with refused alone, too? Then it is a slip of the user,
- * not half of a pair. `used` counts combinations for each value of each axis, one after the other.
- */
+/* Is a word that no combination can be run with refused alone, too? Then it is misspelt, not half
+ * of a pair. A range of numbers may hold some that a scene does not take (ppc 2 on a lattice).
+ * `used` counts combinations for each value of each axis, one after the other. */
 static int check_values(const Sweep *s, const int *used, Fault *fault)
 {
     char text[SPEC_TEXT];
     for (int a = 0; a < s->n; used += s->axis[a++].list.n)
         for (int v = 0; v < s->axis[a].list.n; v++) {
-            if (used[v]) continue;
+            if (used[v] || sweep_is_numeric(&s->axis[a].list)) continue;
             const size_t at = (size_t)snprintf(text, sizeof text, "run %s", s->problem);
             add_option(&s->axis[a], s->axis[a].list.value[v], text + at, sizeof text - at);
             if (try_case(text, fault)) return FAULT_USAGE;

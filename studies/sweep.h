@@ -44,7 +44,7 @@ void sweep_title(const Sweep *sweep, int k, char text[256]);
 
 /* Finds the combinations that can be run. Others (a method with an integrator it is unstable with)
  * are left out, and each reason is written on `notes`. A fault with code 2: none is left, or a
- * value is refused in every combination and by itself. */
+ * word is refused in every combination and by itself. */
 int sweep_choose(Sweep *sweep, FILE *notes, Fault *fault);
 
 void sweep_free(Sweep *sweep);

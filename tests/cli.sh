@@ -218,6 +218,14 @@ refused "--errors without an exact motion" 2 "exact" run squeeze --errors e.csv
 run run ring --method wls2 --cells 8 --set steps=1 --patches c.csv
 ok "--patches" awk -F, 'NR == 1 { ok = $0 == "cell,k,x,y,cut" } NF == 5 && $5 == 1 { n++ } END { exit !(ok && n > 20) }' c.csv
 refused "--patches of a method without polygons" 2 "polygons" run ring --method gimp --cells 8 --set steps=1 --patches c.csv
+for problem in free_block block; do
+    run run $problem --cells 8 --set steps=200
+    ok "$problem: steps beyond a counted end are made" test "$(tail -n 1 out | cut -d, -f10)" -eq 200
+done
+run run ring --cells 8 --set steps=1000
+ok "steps beyond t_end: $(cat err)" grep -q "steps: got '1000', but t_end = 0.02 was reached after 54 steps" err
+run run ring --cells 8 --set steps=54
+ok "all the steps there are" test "$status" -eq 0 -a ! -s err
 run study t_02_work_precision --quick --out t --list
 ok "a timed study says so" grep -q 'one after the other' err
 
@@ -257,6 +265,9 @@ if [ $vtk = 1 ]; then
     ok "a torn file is noticed" bash -c '! /usr/bin/python3 "$0"/vtk_read.py snap/wls2 >/dev/null' "$here"
 fi
 refused "--vtk below a file" 1 "t.csv" run disk_impact --vtk t.csv/x
+run run squeeze --cells 10 --vtk snap/squeeze --particles last.csv --quiet
+ok "--vtk of a projection" test "$status" -eq 0 -a -s snap/squeeze/particles.pvd -a -s snap/squeeze/nodes_000000.vtp
+[ $vtk = 1 ] && ok "VTK reads it" vtk_read snap/squeeze last.csv
 
 ok "nothing half written is left" test -z "$(find . -name '*.tmp')"
 verdict

@@ -104,6 +104,8 @@ swept "a setting of one method" 2 ring --cells 8 --method gimp,wls2 --set stress
 ok "leaves out the other" test "$(lines s/sweep_setting.csv)" -eq 3 -a "$(lines err)" -eq 1
 swept "a lattice beside a fitted layout" 3 ring --cells 8 --method gimp,wls2 --ppc 4,5 --name layouts
 ok "five per cell are for one of them" test "$(lines s/sweep_layouts.csv)" -eq 4
+swept "numbers that a lattice does not take" 2 ring --cells 8 --ppc 1:9:+1 --set steps=5 --name squares
+ok "are left out" test "$(lines s/sweep_squares.csv)" -eq 4 -a "$(lines err)" -eq 6
 refused "all pairs refused" 2 "unstable with ge_gimp" sweep ring --cells 8,12 --method ge_gimp --integrator usf
 refused "a value that nothing takes" 2 "liner" sweep squeeze --cells 10,20 --set field=linear,liner
 refused "fem projects nothing" 2 "projects nothing" sweep patch --cells 4,8 --method fem

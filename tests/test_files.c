@@ -100,6 +100,17 @@ static void test_file_commit(void)
     CU_ASSERT(file_check(path, &f) == 0 && file_check("no-such-file-yet", &f) == 0);
     CU_ASSERT(file_check("/nowhere/at/all", &f) == FAULT_MACHINE);
     CU_ASSERT(file_check(".", &f) == FAULT_MACHINE && strstr(f.text, "directory"));
+    char name[300];
+    memset(name, 'x',
+           sizeof name); /* files of 250 letters may be, but not while they are written */
+    name[250] = '\0';
+    CU_ASSERT(file_check(name, &f) == FAULT_MACHINE && strstr(f.text, "too long"));
+    name[200] = '\0';
+    CU_ASSERT(file_check(name, &f) == 0 && access(name, F_OK) != 0);
+    put_file(path, "a file");
+    snprintf(name, sizeof name, "%s/below", path);
+    CU_ASSERT(file_check(name, &f) == FAULT_MACHINE && file_check(path, &f) == 0);
+    unlink(path);
     CU_ASSERT_PTR_NULL(file_begin("/nowhere/at/all", &f));
     CU_ASSERT(f.code == FAULT_MACHINE && strstr(f.text, "/nowhere/at/all"));
 }

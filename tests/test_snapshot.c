@@ -104,6 +104,21 @@ static void test_files(void)
     CU_ASSERT_EQUAL(rmdir("snap"), 0); /* nothing else was left there */
 }
 
+/* A scene that only projects has one snapshot, with the grid it projects to. */
+static void test_projection(void)
+{
+    RunSpec spec = {.problem = "patch", .method = "wls2", .cells = 8, .vtk = "snap"};
+    Row row;
+    Fault fault = {0};
+    mkdir("snap", 0777);
+    CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
+    CU_ASSERT_EQUAL(count_in("snap/particles.pvd", "<DataSet"), 1);
+    CU_ASSERT_EQUAL(count_in("snap/nodes.pvd", "<DataSet"), 1);
+    CU_ASSERT_EQUAL(count_in("snap/cells.pvd", "<DataSet"), 1);
+    CU_ASSERT_EQUAL(count_in("snap/nodes_000000.vtp", "</VTKFile>"), 1);
+    CU_ASSERT_EQUAL(system("rm -r snap"), 0);
+}
+
 /* Watching a run does not change it. */
 static void test_same_run(void)
 {
@@ -126,6 +141,20 @@ static void test_no_folder(void)
     Fault fault = {0};
     CU_ASSERT_EQUAL(run_spec(&spec, &row, &fault), FAULT_MACHINE);
     CU_ASSERT_PTR_NOT_NULL(strstr(fault.text, "absent/folder"));
+    CU_ASSERT(spec_set(&spec, "steps=1", NULL) == 0);
+    for (int k = 0; k < 6; k++) { /* any output alone; the row stays empty: nothing was run */
+        RunSpec one = spec;
+        const char **const outputs[] = {&one.history, &one.particles, &one.nodes,
+                                        &one.samples, &one.errors,    &one.patches};
+        strcpy(one.problem, "ring");
+        strcpy(one.method, "wls2");
+        one.vtk = NULL;
+        *outputs[k] = "absent/file.csv";
+        fault = (Fault){0};
+        CU_ASSERT_EQUAL(run_spec(&one, &row, &fault), FAULT_MACHINE);
+        CU_ASSERT_PTR_NOT_NULL(strstr(fault.text, "absent/file.csv"));
+        CU_ASSERT(isnan(row.particles));
+    }
 }
 
 /* "Man" is TWFu; eight bytes of length 3 come first. */
@@ -146,6 +175,7 @@ extern const TestCase snapshot_tests[];
 const TestCase snapshot_tests[] = {
     {"polygons cover the body", test_cover},
     {"files and collections", test_files},
+    {"a projection has its snapshot", test_projection},
     {"a run that is watched is the same run", test_same_run},
     {"a folder that is not there", test_no_folder},
     {"base64", test_base64},
