@@ -210,29 +210,21 @@ typedef struct Range {
     double low, high;
 } Range;
 
-static void widen(Range *r, double x)
+static void widen(Range *r, double value)
 {
-    if (!isfinite(x)) return;
-    r->low = fmin(r->low, x);
-    r->high = fmax(r->high, x);
+    r->low = fmin(r->low, value); /* fmin and fmax pass over NAN */
+    r->high = fmax(r->high, value);
 }
 
-static Range x_range(const Curves *c)
+/* Of x, and of |y| above 0 in finished runs. */
+static void find_ranges(const Curves *c, Range *x, Range *y)
 {
-    Range r = {NAN, NAN};
-    for (int row = 0; row < c->rows->nrow; row++) widen(&r, x_of(c, row));
-    return r;
-}
-
-/* Of |y| above 0 in finished runs. */
-static Range y_range(const Curves *c)
-{
-    Range r = {NAN, NAN};
+    *x = *y = (Range){NAN, NAN};
     for (int row = 0; row < c->rows->nrow; row++) {
-        const double y = fabs(y_of(c, row));
-        if (!is_lost(c->rows, row) && y > 0) widen(&r, y);
+        const double value = fabs(y_of(c, row));
+        widen(x, x_of(c, row));
+        if (!is_lost(c->rows, row) && value > 0 && isfinite(value)) widen(y, value);
     }
-    return r;
 }
 
 /* Where the values that were asked for are the real ones, they are the tics; without numbers the
@@ -257,7 +249,8 @@ static void write_tics(FILE *f, const Curves *c)
 
 static int write_names(const Curves *c, const char *path, Fault *fault)
 {
-    const Range x = x_range(c), y = y_range(c);
+    Range x, y;
+    find_ranges(c, &x, &y);
     FILE *f = file_begin(path, fault);
     if (!f) return FAULT_MACHINE;
     fprintf(f, "problem = '%s'\nx_name = '%s'\ny_name = '%s'\nnumeric = %d\nx_log = %d\n",
