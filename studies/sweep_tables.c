@@ -70,8 +70,6 @@ static const char *quantity(const Table *rows)
     return exact ? "error_linf" : "energy_drift";
 }
 
-/* ---- Orders */
-
 typedef struct Order {
     double slope, error; /* NAN: none */
     int lost;
@@ -93,7 +91,7 @@ static void add_row(const Curves *c, int row, Sums *s)
     if (s->finished++ == 0) s->end = end;
     s->same_end = s->same_end && fabs(end - s->end) <= 1e-9 * fabs(s->end);
     s->zeros += !(fabs(y) > 0) && isfinite(y);
-    if (!isfinite(y) || !(fabs(y) > 0)) return;
+    if (!isfinite(y) || !(fabs(y) > 0) || s->n == LIST_MAX) return;
     s->below += y < 0;
     s->above += y > 0;
     s->x[s->n] = x_of(c, row);
@@ -157,8 +155,6 @@ static Order order_of(const Curves *c, const Part *p)
                  s.finished - s.n, c->y);
     return o;
 }
-
-/* ---- Files */
 
 static void number(FILE *f, double x, const char *after)
 {
@@ -243,8 +239,11 @@ static void write_tics(FILE *f, const Curves *c)
             fprintf(f, "%s\"%s\" %d", row ? ", " : "", text, row);
         }
     else
-        for (int k = 0; k < c->sweep->axis[across].list.n; k++)
-            fprintf(f, "%s%s", k ? ", " : "", c->sweep->axis[across].list.value[k]);
+        for (int k = 0; k < c->sweep->axis[across].list.n; k++) {
+            double x = 0; /* gnuplot reads 08 as octal */
+            number_parse(c->sweep->axis[across].list.value[k], &x);
+            fprintf(f, "%s%.10g", k ? ", " : "", x);
+        }
 }
 
 static int write_names(const Curves *c, const char *path, Fault *fault)
@@ -269,7 +268,7 @@ static void note_steps(const Table *rows)
 {
     int n = 0;
     for (int row = 0; row < rows->nrow; row++)
-        n += !is_lost(rows, row) &&
+        n += strcmp(table_text(rows, row, "status"), "ok") == 0 &&
              row_setting(rows, row, "steps") > table_number(rows, row, "steps");
     if (n)
         fprintf(stderr, "mpmlab: %d of %d runs reached t_end before the steps of --set steps\n", n,

@@ -76,6 +76,9 @@ ok "without a slope" order 0 'o == "" && r ~ /above 0/'
 swept "an axis with signs" 2 block --cells 8 --set dim=1 --set 'drift_x=-.2:.2:+.1' --set gravity=1 --name signs
 ok "has no slope" order 0 'o == "" && r ~ /above 0/'
 
+swept "one run" 2 ring --cells 08 --set steps=2 --name one
+swept "numbers with a 0 in front" 2 ring --cells 08,016 --set A=010e-3 --name zeros
+
 # What is really run
 swept "particles that do not fit" 2 squeeze --cells 7 --ppc .5,.9,1.2,2.2 --name ppc
 drawn() {
