@@ -141,19 +141,24 @@ static void test_no_folder(void)
     Fault fault = {0};
     CU_ASSERT_EQUAL(run_spec(&spec, &row, &fault), FAULT_MACHINE);
     CU_ASSERT_PTR_NOT_NULL(strstr(fault.text, "absent/folder"));
-    CU_ASSERT(spec_set(&spec, "steps=1", NULL) == 0);
-    for (int k = 0; k < 6; k++) { /* any output alone; the row stays empty: nothing was run */
-        RunSpec one = spec;
-        const char **const outputs[] = {&one.history, &one.particles, &one.nodes,
-                                        &one.samples, &one.errors,    &one.patches};
-        strcpy(one.problem, "ring");
-        strcpy(one.method, "wls2");
-        one.vtk = NULL;
-        *outputs[k] = "absent/file.csv";
-        fault = (Fault){0};
+}
+
+/* Each output that cannot be written is named before anything is built: this mesh would not fit
+ * into memory, which would be the fault else. */
+static void test_outputs_first(void)
+{
+    RunSpec plain = {.problem = "ring", .method = "wls2", .cells = 1e6};
+    Row row;
+    Fault fault = {0};
+    CU_ASSERT_EQUAL(run_spec(&plain, &row, &fault), FAULT_MACHINE);
+    CU_ASSERT_PTR_NULL(strstr(fault.text, "absent"));
+    for (int k = 0; k < 7; k++) {
+        RunSpec one = plain;
+        const char **const outputs[] = {&one.history, &one.particles, &one.nodes, &one.samples,
+                                        &one.errors,  &one.patches,   &one.vtk};
+        *outputs[k] = "absent/place";
         CU_ASSERT_EQUAL(run_spec(&one, &row, &fault), FAULT_MACHINE);
-        CU_ASSERT_PTR_NOT_NULL(strstr(fault.text, "absent/file.csv"));
-        CU_ASSERT(isnan(row.particles));
+        CU_ASSERT_PTR_NOT_NULL(strstr(fault.text, "absent/place"));
     }
 }
 
@@ -178,6 +183,7 @@ const TestCase snapshot_tests[] = {
     {"a projection has its snapshot", test_projection},
     {"a run that is watched is the same run", test_same_run},
     {"a folder that is not there", test_no_folder},
+    {"outputs are checked first", test_outputs_first},
     {"base64", test_base64},
     {NULL, NULL},
 };
