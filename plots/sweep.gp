@@ -57,10 +57,13 @@ shown(k) = good(k) && (!y_log || abs(column(3)) > 0) ? abs(column(3)) : NaN
 zero(k) = good(k) && y_log && strlen(strcol(3)) && !(abs(column(3)) > 0) ? 0.025 : NaN
 dead(k) = of(k) && !good(k) ? 0.975 - 0.03 * ((k - 1) % 8) : NaN
 style_(k) = 1 + (k - 1) % 10
+zeros = 0
+stats curves_ using (zeros = zeros + (sum [k = 1:curves] (zero(k) > 0)), 1) nooutput
 line(k) = numeric ? shown(k) : NaN
 plot for [k = 1:curves] curves_ using 2:(line(k)) with lines ls style_(k) dt 1 + (k - 1) / 10 notitle, \
      for [k = 1:curves] curves_ using 2:(shown(k)) with points ls style_(k) notitle, \
      for [k = 1:curves] curves_ using 2:(zero(k)) axes x1y2 with points pt 6 ps 1.2 lc rgb COLOUR[style_(k)] notitle, \
      for [k = 1:curves] curves_ using 2:(dead(k)) axes x1y2 with points pt 2 ps 1.2 lw 2 lc rgb COLOUR[style_(k)] notitle, \
      for [k = 1:curves] keyentry with linespoints ls style_(k) dt 1 + (k - 1) / 10 title says(k), \
-     keyentry with points pt 2 ps 1.2 lw 2 lc rgb '#444444' title (lost_runs ? 'lost' : '')
+     keyentry with points pt 2 ps 1.2 lw 2 lc rgb '#444444' title (lost_runs ? 'lost' : ''), \
+     keyentry with points pt 6 ps 1.2 lc rgb '#444444' title (zeros ? 'exactly 0' : '')

@@ -79,6 +79,9 @@ ok "has no slope" order 0 'o == "" && r ~ /above 0/'
 swept "one run" 2 ring --cells 08 --set steps=2 --name one
 swept "numbers with a 0 in front" 2 ring --cells 08,016 --set A=010e-3 --name zeros
 
+swept "some errors of 0" 2 block --cells 8 --set dim=1 --set drift_x=0,.1,.2 --t-end .05 --name some
+if command -v gnuplot >/dev/null; then ok "are marked and explained" grep -q '>exactly 0<' s/sweep_some.svg; fi
+
 # What is really run
 swept "particles that do not fit" 2 squeeze --cells 7 --ppc .5,.9,1.2,2.2 --name ppc
 drawn() {
