@@ -26,7 +26,7 @@ static double instructions(const Table *bench, const Effort *e)
     snprintf(text, sizeof text, "run %s --method %s", e->problem, e->method);
     if (run_text_resolve(text, &spec, &engine, NULL) || strcmp(spec.integrator, e->integrator) != 0)
         return NAN;
-    return value_pick(bench, "instructions_avx2", "case=%s", e->method);
+    return value_pick(bench, "instructions_avx2", "case=%s", e->method).value;
 }
 
 /* The number of the points that the run moved, times its steps. */

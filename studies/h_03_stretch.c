@@ -12,6 +12,7 @@
  * (as in h_01_translation.c); sigma A F/n, all that a particle has, says that it is alone. */
 #include <math.h>
 #include <string.h>
+#include "files.h"
 #include "hard.h"
 
 static const char name[] = "h_03_stretch";
@@ -71,20 +72,20 @@ static void cases(Cases *list, bool quick)
 
 /* Largest force in the inner half of the bar over sigma A, A = 1 and E = 1e4; NAN if there is none.
  */
-static double force_inside(const char *dir, const char *method, int kind)
+static double force_inside(const Files *files, const char *method, int kind)
 {
     char part[96];
     const double dt = BLOCK_CFL / (kinds[kind].cells * BLOCK_SPEED);
     const double stress = 0.5e4 * (MOST - 1 / MOST);
     snprintf(part, sizeof part, "%s.%s.force", method, kinds[kind].name);
-    Table *t = part_read(dir, name, part, NULL);
-    double most = NAN;
+    Table *t = file_read(files, part);
+    double most = -INFINITY;
     for (int k = 0; t && k < t->nrow; k++) {
         const double f = table_number(t, k, "mass") * table_number(t, k, "vx") / (dt * stress);
-        if (fabs(table_number(t, k, "x") - 3) < MOST / 4) most = fmax(most, fabs(f));
+        if (fabs(table_number(t, k, "x") - 3) < MOST / 4) most = worse(most, fabs(f));
     }
     table_free(t);
-    return most;
+    return isinf(most) ? NAN : most;
 }
 
 static double law(double F)
@@ -93,7 +94,8 @@ static double law(double F)
 }
 
 /* One run: its curve, and where it went wrong. */
-static void write_one(FILE *curve, FILE *onset, const Table *t, const char *head, double force)
+static void write_one(FILE *curve, FILE *onset, const Table *t, const char *head, double force,
+                      const char *status)
 {
     const double dt = table_number(t, 1, "t"), V0 = table_number(t, 0, "volume");
     double lost = NAN, F = 1, ratio = 1;
@@ -107,14 +109,16 @@ static void write_one(FILE *curve, FILE *onset, const Table *t, const char *head
     if (!isnan(lost)) fprintf(onset, "%.6g", lost);
     fprintf(onset, ",%.10g,", fabs(ratio - 1));
     if (!isnan(force)) fprintf(onset, "%.10g", force);
-    putc('\n', onset);
+    fprintf(onset, ",%s\n", status);
 }
 
 static void write_all(FILE *curve, FILE *onset, const char *dir)
 {
     char part[96], head[128];
+    Files files;
+    files_open(&files, dir, name);
     fputs("kind,method,variant,stretch,ratio\n", curve);
-    fputs("kind,method,variant,reached,onset,error,force\n", onset);
+    fputs("kind,method,variant,reached,onset,error,force,status\n", onset);
     for (int k = 0; k < KINDS; k++)
         for (const Info *const *m = kinds[k].engine->methods; *m; m++)
             for (int v = 0; v < VARIANTS; v++) {
@@ -123,9 +127,11 @@ static void write_all(FILE *curve, FILE *onset, const char *dir)
                 snprintf(head, sizeof head, "%s,%s,%s", kinds[k].name, (*m)->name,
                          variants[v].name);
                 if (t && t->nrow > 1)
-                    write_one(curve, onset, t, head, v ? NAN : force_inside(dir, (*m)->name, k));
+                    write_one(curve, onset, t, head, v ? NAN : force_inside(&files, (*m)->name, k),
+                              file_status(&files, part));
                 table_free(t);
             }
+    files_close(&files);
 }
 
 static int write_marks(const char *dir, Fault *fault)
@@ -133,14 +139,14 @@ static int write_marks(const char *dir, Fault *fault)
     Table *t = part_read(dir, name, "onset", fault);
     FILE *f = t ? grades_begin(dir, name, fault) : NULL;
     for (const Info *const *m = engine_2d.methods; f && *m; m++) {
-        const double force = fmax(value_pick(t, "force", "method=%s kind=bar1", (*m)->name),
-                                  value_pick(t, "force", "method=%s kind=bar2", (*m)->name));
+        const double force = fmax(ended_pick(t, "force", "method=%s kind=bar1", (*m)->name).value,
+                                  ended_pick(t, "force", "method=%s kind=bar2", (*m)->name).value);
         double first = INFINITY;
         int ran = 0;
         for (int k = 0; k < KINDS; k++) {
             const char *where = "method=%s kind=%s variant=usual";
-            const double at = value_pick(t, "onset", where, (*m)->name, kinds[k].name);
-            const double end = value_pick(t, "reached", where, (*m)->name, kinds[k].name);
+            const double at = ended_pick(t, "onset", where, (*m)->name, kinds[k].name).value;
+            const double end = ended_pick(t, "reached", where, (*m)->name, kinds[k].name).value;
             ran += !isnan(end);
             if (end < 0.99 * MOST) first = fmin(first, end);
             if (at < first) first = at;
@@ -176,7 +182,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
     return write_marks(dir, fault);
 }
 
-static double onset(const Table *t, const char *method, int kind, const char *variant)
+static Measure onset(const Table *t, const char *method, int kind, const char *variant)
 {
     return value_pick(t, "onset", "method=%s kind=%s variant=%s", method, kinds[kind].name,
                       variant);
@@ -191,9 +197,8 @@ static double good_within(double trigger)
 
 static void check(Check *c, const Table *rows, const char *dir)
 {
-    Table *t = part_read(dir, name, "onset", NULL);
-    const double later = onset(t ? t : rows, "gimp", 0, "undeformed");
-    if (!t) return;
+    Table *t = claim_part(c, dir, "onset");
+    (void)rows;
     claim(c, "H3.tent-1",
           "tents, one particle per cell: stress is lost between a stretch of 1 and 2",
           onset(t, "mpm", 0, "usual"), 1, 2);
@@ -202,26 +207,26 @@ static void check(Check *c, const Table *rows, const char *dir)
           onset(t, "mpm", 2, "usual"), 2, 4);
     claim(c, "H3.gimp",
           "GIMP whose boxes follow F, convolved exactly, never: error at 4, worst of three",
-          worst_of(t, "gimp", "error", "variant=usual"), 0, WRONG);
-    if (!isnan(later))
-        claim(c, "H3.ugimp", "with boxes that keep their size later than tents: stretch over MPM's",
-              later / onset(t, "mpm", 0, "usual"), 1, 2);
+          worst_of(t, "gimp", KINDS, "error", "variant=usual"), 0, WRONG);
+    claim(c, "H3.ugimp", "with boxes that keep their size later than tents: stretch over MPM's",
+          over(onset(t, "gimp", 0, "undeformed"), onset(t, "mpm", 0, "usual")), 1, 2);
     claim(c, "H3.carried",
           "nor any method whose particles tell the grid their gradients: error of stress at 4",
-          worst_of(t, "ge_mpm ge_gimp apic tpic", "error", "variant=usual"), 0, WRONG);
+          worst_of(t, "ge_mpm ge_gimp apic tpic", KINDS, "error", "variant=usual"), 0, WRONG);
     claim(c, "H3.pieces",
           "but tents leave the bar in pieces, gradients or not: force at 4 over sigma A F/n, n = 1",
-          value_pick(t, "force", "method=ge_mpm kind=bar1") / MOST, 0.99, 1.01);
+          times(value_pick(t, "force", "method=ge_mpm kind=bar1"), 1 / MOST), 0.99, 1.01);
     claim(c, "H3.gimp-carries", "GIMP and GE-GIMP carry the force: largest inside, over sigma A",
-          worst_of(t, "gimp ge_gimp", "force", "kind=bar1 variant=usual"), 0, WRONG);
-    const double wls2 = onset(t, "wls2", 0, "usual"), d = good_within(0.25);
+          worst_of(t, "gimp ge_gimp", 1, "force", "kind=bar1 variant=usual"), 0, WRONG);
+    const Measure wls2 = onset(t, "wls2", 0, "usual");
+    const double d = good_within(0.25);
     claim(c, "H3.wls", "WLS until no particle is within the trigger weight: stretch over that, bar",
-          onset(t, "wls", 0, "usual") / (2 * good_within(0.12)), 0.9, 1.3);
-    claim_differs(c, "H3.wls2", "the same for WLS2's larger trigger weight", wls2 / (2 * d), 0.9,
-                  1.3, 1.3, 1.6,
+          times(onset(t, "wls", 0, "usual"), 1 / (2 * good_within(0.12))), 0.9, 1.3);
+    claim_differs(c, "H3.wls2", "the same for WLS2's larger trigger weight",
+                  times(wls2, 1 / (2 * d)), 0.9, 1.3, 1.3, 1.6,
                   "it extrapolates to nodes without particles, and so goes on until its good nodes "
                   "see one particle only, a stretch of 3/2 + d");
-    claim(c, "H3.wls2-alone", "stretch over that", wls2 / (1.5 + d), 0.9, 1.1);
+    claim(c, "H3.wls2-alone", "stretch over that", times(wls2, 1 / (1.5 + d)), 0.9, 1.1);
     table_free(t);
 }
 
@@ -232,4 +237,5 @@ const Study study_h_03_stretch = {
     .cases = cases,
     .tables = tables,
     .check = check,
+    .claims = 11,
 };

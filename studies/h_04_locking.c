@@ -12,8 +12,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files.h"
 #include "memory.h"
-#include "pages.h"
 
 enum { RATIOS = 4, SCENES = 2, PLATE = 0, BEAM = 1, COARSE = 4, FINE = 32 };
 static const char name[] = "h_04_locking";
@@ -62,11 +62,12 @@ typedef struct Cloud {
     double *X, *Y, *u, *v, *m, *p;
 } Cloud;
 
-static Cloud cloud_read(const char *dir, int scene, const char *method, int cells, const char *nu)
+static Cloud cloud_read(const Files *files, int scene, const char *method, int cells,
+                        const char *nu)
 {
     char part[64];
     part_name(part, scene, method, cells, nu);
-    Table *t = part_read(dir, name, part, NULL);
+    Table *t = file_read(files, part);
     const size_t room = t ? (size_t)t->nrow + 1 : 1;
     Cloud c = {.X = must(calloc(6 * room, sizeof(double)))};
     c.Y = c.X + room, c.u = c.Y + room, c.v = c.u + room, c.m = c.v + room, c.p = c.m + room;
@@ -130,8 +131,9 @@ static double checkerboard(const Cloud *c, int share)
 }
 
 /* One line of NAME.locking.csv. */
-static void write_line(FILE *f, const Table *rows, int row, const char *dir)
+static void write_line(FILE *f, const Files *files, int row)
 {
+    const Table *rows = files->rows;
     const char *method = table_text(rows, row, "method");
     const int scene = strcmp(table_text(rows, row, "problem"), scenes[BEAM]) == 0;
     const int cells = (int)table_number(rows, row, "cells");
@@ -139,11 +141,11 @@ static void write_line(FILE *f, const Table *rows, int row, const char *dir)
     for (int k = 0; k < RATIOS; k++)
         if (fabs(row_setting(rows, row, "nu") - strtod(nus[k], NULL)) < 1e-9) nu = nus[k];
     if (!nu || (scene == BEAM && cells != COARSE)) return;
-    Cloud c = cloud_read(dir, scene, method, cells, nu);
-    Cloud fine = cloud_read(dir, BEAM, "fem", FINE, nu);
+    Cloud c = cloud_read(files, scene, method, cells, nu);
+    Cloud fine = cloud_read(files, BEAM, "fem", FINE, nu);
     if (!fine.n) { /* a quick look has a coarser one */
         free(fine.X);
-        fine = cloud_read(dir, BEAM, "fem", FINE / 4, nu);
+        fine = cloud_read(files, BEAM, "fem", FINE / 4, nu);
     }
     const bool gone = is_lost(rows, row);
     const double scale = scene == PLATE ? M_PI * shear_modulus(nu) * amplitude : 0.01 * beam_E;
@@ -163,52 +165,53 @@ static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT];
     (void)quick;
-    Table *rows = part_read(dir, name, NULL, fault);
+    Files files;
+    files_open(&files, dir, name);
     part_path(path, dir, name, "locking");
-    FILE *f = rows ? file_begin(path, fault) : NULL;
+    FILE *f = file_begin(path, fault);
     if (f) fputs("problem,method,nu,status,ratio,checkerboard\n", f);
-    for (int row = 0; f && row < rows->nrow; row++) write_line(f, rows, row, dir);
-    table_free(rows);
+    for (int row = 0; f && files.rows && row < files.rows->nrow; row++) write_line(f, &files, row);
+    files_close(&files);
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
-static double value(const Table *t, int scene, const char *method, const char *nu, const char *what)
+static Measure value(const Table *t, int scene, const char *method, const char *nu,
+                     const char *what)
 {
     return value_pick(t, what, "problem=%s method=%s nu=%s", scenes[scene], method, nu);
 }
 
-/* How many methods that reach the end at nu = .499 neither move 5 % less than they should, nor have
- * a checkerboard as large as the scene's shear stress. */
-static int escaping(const Table *t, int scene)
+/* How many methods neither move 5 % less than they should at nu = .499, nor have a checkerboard as
+ * large as the scene's shear stress. */
+static Measure escaping(const Table *t, int scene)
 {
-    int n = 0;
-    for (const Info *const *m = engine_2d.methods; *m; m++)
-        n += value(t, scene, (*m)->name, "0.499", "ratio") > 0.95 &&
-             value(t, scene, (*m)->name, "0.499", "checkerboard") < 1;
+    Measure n = sum_of(0);
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
+        const Measure ratio = value(t, scene, (*m)->name, "0.499", "ratio");
+        const Measure rough = value(t, scene, (*m)->name, "0.499", "checkerboard");
+        n = sum(n, with_value(sum(ratio, rough), ratio.value > 0.95 && rough.value < 1));
+    }
     return n;
 }
 
-/* The smallest ratio and largest checkerboard of the particle methods at nu = .499, lost runs
- * aside.
- */
-static void extremes(const Table *t, int scene, double *ratio, double *rough)
+/* The smallest ratio and largest checkerboard of the particle methods at nu = .499. */
+static void extremes(const Table *t, int scene, Measure *ratio, Measure *rough)
 {
     double S, G;
-    *ratio = INFINITY, *rough = 0;
+    *ratio = least_of(0), *rough = largest_of(0);
     for (const Info *const *m = engine_2d.methods; *m; m++)
         if (engine_2d.weight((*m)->name, 0, 0.25, &S, &G) == 0) {
-            *ratio = fmin(*ratio, value(t, scene, (*m)->name, "0.499", "ratio"));
-            *rough = fmax(*rough, value(t, scene, (*m)->name, "0.499", "checkerboard"));
+            *ratio = least(*ratio, value(t, scene, (*m)->name, "0.499", "ratio"));
+            *rough = largest(*rough, value(t, scene, (*m)->name, "0.499", "checkerboard"));
         }
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
 {
-    Table *t = part_read(dir, name, "locking", NULL);
-    double least, rough;
+    Table *t = claim_part(c, dir, "locking");
+    Measure ratio, rough;
     (void)rows;
-    if (!t) return;
-    extremes(t, PLATE, &least, &rough);
+    extremes(t, PLATE, &ratio, &rough);
     claim_differs(
         c, "H-4.plate-all", "plate, nu = .499: methods that neither lock nor checkerboard",
         escaping(t, PLATE), 0, 0, 1, 4,
@@ -217,22 +220,22 @@ static void check(Check *c, const Table *rows, const char *dir)
     claim(
         c, "H-4.plate-worst",
         "plate: linear triangles are worst: FEM's checkerboard over the largest of the particles'",
-        value(t, PLATE, "fem", "0.499", "checkerboard") / rough, 1, 100);
-    extremes(t, BEAM, &least, &rough);
+        over(value(t, PLATE, "fem", "0.499", "checkerboard"), rough), 1, 100);
+    extremes(t, BEAM, &ratio, &rough);
     claim(c, "H-4.beam-all", "cantilever, nu = .499: methods that neither lock nor checkerboard",
           escaping(t, BEAM), 0, 0);
     claim_differs(
         c, "H-4.beam-worst",
         "cantilever: linear triangles lock worst: FEM's displacement over the least of the "
         "particle methods",
-        value(t, BEAM, "fem", "0.499", "ratio") / least, 0, 1, 1.2, 100,
+        over(value(t, BEAM, "fem", "0.499", "ratio"), ratio), 0, 1, 1.2, 100,
         "triangles of alternating diagonals keep .83; tents over four particles a cell "
         "keep least");
     claim(c, "H-4.beam-gimp", "GIMP locks: its displacement at nu = .499 over the reference's",
           value(t, BEAM, "gimp", "0.499", "ratio"), 0, 0.95);
     claim(c, "H-4.beam-gimp-pressure", "and its checkerboard: times that at nu = .3",
-          value(t, BEAM, "gimp", "0.499", "checkerboard") /
-              value(t, BEAM, "gimp", "0.3", "checkerboard"),
+          over(value(t, BEAM, "gimp", "0.499", "checkerboard"),
+               value(t, BEAM, "gimp", "0.3", "checkerboard")),
           10, INFINITY);
     table_free(t);
 }
@@ -244,4 +247,5 @@ const Study study_h_04_locking = {
     .cases = cases,
     .tables = tables,
     .check = check,
+    .claims = 6,
 };

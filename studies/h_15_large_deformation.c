@@ -11,7 +11,7 @@
  * overlap under shear; boxes that stay as they were, B-splines and affine transfers live. */
 #include <math.h>
 #include <string.h>
-#include "pages.h"
+#include "files.h"
 
 enum { RULES = 3, TURNS = 4, MESHES = 4, FINE = 24 };
 static const char name[] = "h_15_large_deformation";
@@ -79,24 +79,24 @@ static int rule_of(const Table *rows, int row)
 }
 
 /* How many times as long the bar is: mean over the points of its lowest layer. NAN: no file. */
-static double stretch_of(const char *dir, const char *method, int rule)
+static double stretch_of(const Files *files, const char *method, int rule)
 {
     char part[64];
     part_name(part, method, rule);
-    Table *t = part_read(dir, name, part, NULL);
-    double lowest = INFINITY, sum = 0;
+    Table *t = file_read(files, part);
+    double lowest = INFINITY, total = 0;
     int n = 0;
     for (int pass = 0; t && pass < 2; pass++)
         for (int k = 0; k < t->nrow; k++) {
             const double Y = table_number(t, k, "Y");
             if (!(table_number(t, k, "mass") > 0)) continue;
-            if (pass == 0) lowest = fmin(lowest, Y);
+            if (pass == 0) lowest = lesser(lowest, Y);
             if (pass == 0 || Y > lowest + 1e-9) continue;
-            sum += (bar_top - table_number(t, k, "y")) / (bar_top - Y);
+            total += (bar_top - table_number(t, k, "y")) / (bar_top - Y);
             n++;
         }
     table_free(t);
-    return n ? sum / n : NAN;
+    return n ? total / n : NAN;
 }
 
 /* Error: 0: no worse than .03, 1: .1, 2: more, 3: lost; the bar: 0 or 3. */
@@ -130,8 +130,9 @@ static int column_of(const Table *rows, int row, bool quick)
     return -1;
 }
 
-static void write_grid(FILE *f, const Table *rows, const char *dir, bool quick)
+static void write_grid(FILE *f, const Files *files, bool quick)
 {
+    const Table *rows = files->rows;
     fputs("method,rule,column,line,grade,text,stretch\n", f);
     int line = -1;
     for (int row = 0; row < rows->nrow; row++) {
@@ -145,7 +146,7 @@ static void write_grid(FILE *f, const Table *rows, const char *dir, bool quick)
                 grade(rows, row, column == TURNS));
         write_end(f, rows, row, column == TURNS);
         if (column == TURNS)
-            fprintf(f, ",%.5g\n", stretch_of(dir, method, rule));
+            fprintf(f, ",%.5g\n", stretch_of(files, method, rule));
         else
             fputs(",\n", f);
     }
@@ -165,48 +166,54 @@ static void write_errors(FILE *f, const Table *rows)
 static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT];
-    Table *rows = part_read(dir, name, NULL, fault);
-    int code = rows ? 0 : FAULT_MACHINE;
+    Files files;
+    files_open(&files, dir, name);
+    int code = files.rows ? 0 : fault_set(fault, FAULT_MACHINE, "%s/%s.csv is gone", dir, name);
     for (int k = 0; k < 2 && !code; k++) {
         part_path(path, dir, name, k ? "errors" : "grid");
         FILE *f = file_begin(path, fault);
-        if (f && k) write_errors(f, rows);
-        if (f && !k) write_grid(f, rows, dir, quick);
+        if (f && k) write_errors(f, files.rows);
+        if (f && !k) write_grid(f, &files, quick);
         code = f ? file_commit(f, path, fault) : FAULT_MACHINE;
     }
-    table_free(rows);
+    files_close(&files);
     return code;
 }
 
-static double error(const Table *t, const char *method, const char *rule, int cells)
+static Measure error(const Table *t, const char *method, const char *rule, int cells)
 {
-    return value_pick(t, "error", "method=%s rule=%s cells=%d status=ok", method, rule, cells);
+    return value_pick(t, "error", "method=%s rule=%s cells=%d", method, rule, cells);
 }
 
-/* The error in a column of the grid; NAN if that run was lost. */
-static double error_at(const Table *grid, const char *method, const char *rule, int column)
+/* The error in a column of the grid, of a run that was not lost. */
+static Measure error_at(const Table *grid, const char *method, const char *rule, int column)
 {
-    if (value_pick(grid, "grade", "method=%s rule=%s column=%d", method, rule, column) > 2)
-        return NAN;
-    return value_pick(grid, "text", "method=%s rule=%s column=%d", method, rule, column);
+    static const char where[] = "method=%s rule=%s column=%d";
+    if (!(value_pick(grid, "grade", where, method, rule, column).value <= 2))
+        return measure(NAN, 0, 1);
+    return value_pick(grid, "text", where, method, rule, column);
 }
 
 /* How many of the named are lost in a column of the grid (3: the vortex at G = 1; 4: the bar). */
-static double lost(const Table *grid, const char *methods, const char *rule, int column)
+static Measure lost(const Table *grid, const char *methods, const char *rule, int column)
 {
     char list[128], *rest = list;
-    double n = 0;
+    Measure n = sum_of(0);
     snprintf(list, sizeof list, "%s", methods);
-    for (char *m; (m = strtok_r(rest, " ", &rest));)
-        n += value_pick(grid, "grade", "method=%s rule=%s column=%d", m, rule, column) > 2;
+    for (char *m; (m = strtok_r(rest, " ", &rest));) {
+        const Measure grade =
+            value_pick(grid, "grade", "method=%s rule=%s column=%d", m, rule, column);
+        n = sum(n, with_value(grade, grade.value > 2));
+    }
     return n;
 }
 
 static void check_vortex(Check *c, const Table *e, const Table *grid)
 {
     enum { FULL = TURNS - 1 };
+    const Measure fem = over(error(e, "fem", "fxx", 8), error(e, "fem", "fxx", 24));
     claim(c, "H-15.vortex-fem", "vortex, G = .5: FEM is of second order: order from N = 8 to 24",
-          log(error(e, "fem", "fxx", 8) / error(e, "fem", "fxx", 24)) / log(3), 1.8, 2.2);
+          with_value(fem, log(fem.value) / log(3)), 1.8, 2.2);
     claim(c, "H-15.vortex-gimp", "full vortex: of GIMP and GE-GIMP with l = l0 F_xx are lost",
           lost(grid, "gimp ge_gimp", "fxx", FULL), 2, 2);
     claim_differs(c, "H-15.vortex-stretch",
@@ -216,11 +223,11 @@ static void check_vortex(Check *c, const Table *e, const Table *grid)
                   "undeformed");
     claim(c, "H-15.vortex-undeformed",
           "GIMP with boxes that stay as they were lives: its error over that of B-splines",
-          error_at(grid, "gimp", "undeformed", FULL) / error_at(grid, "bspline", "fxx", FULL), 0,
-          1.5);
+          over(error_at(grid, "gimp", "undeformed", FULL), error_at(grid, "bspline", "fxx", FULL)),
+          0, 1.5);
     claim(c, "H-15.vortex-stretch-gain",
           "G = .5, N = 24: GIMP's error with U over that with F_xx: U buys some",
-          error(e, "gimp", "stretch", FINE) / error(e, "gimp", "fxx", FINE), 0, 0.95);
+          over(error(e, "gimp", "stretch", FINE), error(e, "gimp", "fxx", FINE)), 0, 0.95);
     claim(c, "H-15.vortex-fixed-functions",
           "full vortex: of B-splines, APIC and TPIC, whose functions do not follow F, are lost",
           lost(grid, "bspline apic tpic", "fxx", FULL), 0, 0);
@@ -244,19 +251,17 @@ static void check_bar(Check *c, const Table *grid)
                   "particles at the corners of the clamp invert before t = .06");
     claim(c, "H-15.bar-agrees",
           "before that all agree: GIMP's length of the bar at t = .045 s over FEM's",
-          value_pick(grid, "stretch", "method=gimp rule=fxx column=4") /
-              value_pick(grid, "stretch", "method=fem rule=fxx column=4"),
+          over(value_pick(grid, "stretch", "method=gimp rule=fxx column=4"),
+               value_pick(grid, "stretch", "method=fem rule=fxx column=4")),
           0.97, 1.03);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
 {
-    Table *e = part_read(dir, name, "errors", NULL), *grid = part_read(dir, name, "grid", NULL);
+    Table *e = claim_part(c, dir, "errors"), *grid = claim_part(c, dir, "grid");
     (void)rows;
-    if (e && grid) {
-        check_vortex(c, e, grid);
-        check_bar(c, grid);
-    }
+    check_vortex(c, e, grid);
+    check_bar(c, grid);
     table_free(grid);
     table_free(e);
 }
@@ -268,4 +273,5 @@ const Study study_h_15_large_deformation = {
     .cases = cases,
     .tables = tables,
     .check = check,
+    .claims = 12,
 };

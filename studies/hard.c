@@ -102,19 +102,17 @@ Mark mark_of(double value, double ok, double weak)
     return value <= ok ? MARK_OK : value <= weak ? MARK_WEAK : MARK_LOST;
 }
 
-double worst_of(const Table *t, const char *methods, const char *want, const char *where)
+Measure worst_of(const Table *t, const char *methods, int each, const char *want, const char *where)
 {
-    char words[256], text[256];
-    double worst = -INFINITY;
+    char words[256];
+    Measure worst = {0};
     char *rest = words;
     snprintf(words, sizeof words, "%s", methods);
     for (char *m; (m = strtok_r(rest, " ", &rest));) {
         Curve c;
-        snprintf(text, sizeof text, "method=%s %s", m, where);
-        curve_pick(&c, t, want, want, "%s", text);
-        const double most = curve_max(&c);
-        if (!(most <= worst)) worst = most;
-        if (isnan(most)) return NAN;
+        curve_pick(&c, t, want, want, "method=%s %s", m, where);
+        const Measure most = c.n ? curve_max(&c, each) : measure(NAN, 0, each);
+        worst = worst.needs ? largest(worst, most) : most;
     }
     return worst;
 }

@@ -47,7 +47,9 @@ void remedy_add(FILE *f, const char *hard_case, const char *method, const char *
 Mark mark_of(double value, double ok, double weak);
 
 /* Largest of column `want` over the rows of these methods ("gimp wls") that also meet `where`
- * ("column=value ..."); NAN if one of them has no such row, or is NAN. */
-double worst_of(const Table *t, const char *methods, const char *want, const char *where);
+ * ("column=value ..."), `each` of them of every method; NAN if one of them has no such row, was
+ * lost, or is NAN. */
+Measure worst_of(const Table *t, const char *methods, int each, const char *want,
+                 const char *where);
 
 #endif

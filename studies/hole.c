@@ -74,7 +74,7 @@ int rim_read(Rim *rim, const char *path, int cells, const HoleReference *r, Faul
         const double X = table_number(t, k, "X"), Y = table_number(t, k, "Y");
         if (table_number(t, k, "surface") > 0) continue;
         rim->moved =
-            fmax(rim->moved, hypot(table_number(t, k, "x") - X, table_number(t, k, "y") - Y));
+            worse(rim->moved, hypot(table_number(t, k, "x") - X, table_number(t, k, "y") - Y));
         if (hypot(X, Y) - radius > 0.35 / cells + 1e-12) continue;
         p[rim->n++] = (Point){atan2(Y, X) * 180 / M_PI, 1e-9 * table_number(t, k, "von_mises"),
                               hole_reference_at(r, X, Y)};

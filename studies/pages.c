@@ -20,29 +20,54 @@ static int split(char *text, const char *conditions[MOST_CONDITIONS])
     return n;
 }
 
-void curve_pick(Curve *c, const Table *rows, const char *x, const char *y, const char *where, ...)
+/* The rows that meet `where` (a list of arguments in `args`): numbers of column x and y. */
+static int pick(const Table *rows, const char *x, const char *y, bool kept, const char *where,
+                va_list args, int most, double out_x[], double out_y[])
 {
     const char *conditions[MOST_CONDITIONS];
     char text[WHERE_TEXT];
-    va_list args;
-    va_start(args, where);
+    int n = 0;
     vsnprintf(text, sizeof text, where, args);
-    va_end(args);
-    int n = split(text, conditions);
-    rows_pick(rows, n, conditions, x, CURVE_MAX, c->x);
-    c->n = rows_pick(rows, n, conditions, y, CURVE_MAX, c->y);
+    const int count = split(text, conditions);
+    for (int row = 0; row < rows->nrow && n < most; row++) {
+        if (!row_matches(rows, row, count, conditions)) continue;
+        out_x[n] = table_number(rows, row, x);
+        out_y[n++] = kept ? kept_number(rows, row, y) : table_number(rows, row, y);
+    }
+    return n;
 }
 
-double value_pick(const Table *rows, const char *want, const char *where, ...)
+void curve_pick(Curve *c, const Table *rows, const char *x, const char *y, const char *where, ...)
 {
-    const char *conditions[MOST_CONDITIONS];
-    char text[WHERE_TEXT];
-    double value;
     va_list args;
     va_start(args, where);
-    vsnprintf(text, sizeof text, where, args);
+    c->n = pick(rows, x, y, true, where, args, CURVE_MAX, c->x, c->y);
     va_end(args);
-    return rows_pick(rows, split(text, conditions), conditions, want, 1, &value) ? value : NAN;
+}
+
+static Measure one(int found, double value)
+{
+    return measure(found ? value : NAN, found && !isnan(value), 1);
+}
+
+Measure value_pick(const Table *rows, const char *want, const char *where, ...)
+{
+    double x, y = NAN;
+    va_list args;
+    va_start(args, where);
+    const int found = pick(rows, want, want, true, where, args, 1, &x, &y);
+    va_end(args);
+    return one(found, y);
+}
+
+Measure ended_pick(const Table *rows, const char *want, const char *where, ...)
+{
+    double x, y = NAN;
+    va_list args;
+    va_start(args, where);
+    const int found = pick(rows, want, want, false, where, args, 1, &x, &y);
+    va_end(args);
+    return one(found, y);
 }
 
 double row_setting(const Table *rows, int row, const char *setting)
@@ -61,36 +86,54 @@ double row_setting(const Table *rows, int row, const char *setting)
     return value;
 }
 
-double curve_at(const Curve *c, double x)
+Measure curve_at(const Curve *c, double x)
 {
     for (int k = 0; k < c->n; k++)
-        if (fabs(c->x[k] - x) <= 1e-12 * fabs(x)) return c->y[k];
-    return NAN;
+        if (fabs(c->x[k] - x) <= 1e-12 * fabs(x)) return one(1, c->y[k]);
+    return one(0, NAN);
 }
 
-double curve_max(const Curve *c)
+Measure curve_max(const Curve *c, int needs)
 {
-    double most = c->n > 0 ? c->y[0] : NAN;
-    for (int k = 1; k < c->n; k++) most = isnan(most) || c->y[k] <= most ? most : c->y[k];
+    Measure most = largest_of(needs);
+    for (int k = 0; k < c->n; k++) add_largest(&most, c->y[k]);
     return most;
 }
 
-double curve_settles(const Curve *c, double level)
+Measure curve_settles(const Curve *c, double level, int needs)
 {
     double from = NAN;
     for (int k = c->n - 1; k >= 0 && c->y[k] <= level; k--) from = c->x[k];
-    return from;
+    return with_value(curve_max(c, needs), isnan(curve_max(c, needs).value) ? NAN : from);
 }
 
-double curve_deviation(const Curve *c, int n, const double printed[][3])
+Measure curve_deviation(const Curve *c, int n, const double printed[][3])
 {
-    double worst = 0;
+    Measure worst = largest_of(n);
     for (int k = 0; k < n; k++) {
-        double off = fabs(curve_at(c, printed[k][0]) / printed[k][1] - 1) * printed[k][2];
-        if (!(off <= worst)) worst = off; /* NAN comes through and stays */
-        if (isnan(worst)) break;
+        const Measure y = curve_at(c, printed[k][0]);
+        add_largest(&worst, fabs(y.value / printed[k][1] - 1) * printed[k][2]);
     }
     return worst;
+}
+
+double order_of_all(int n, const double x[], const double y[])
+{
+    for (int k = 0; k < n; k++)
+        if (!(x[k] > 0 && y[k] > 0 && isfinite(x[k]) && isfinite(y[k]))) return NAN;
+    return order_fit(n, x, y, NULL);
+}
+
+Measure curve_order(const Curve *c, double from, double to, int needs)
+{
+    double x[CURVE_MAX], y[CURVE_MAX];
+    int n = 0, numbers = 0;
+    for (int k = 0; k < c->n; k++) {
+        if (c->x[k] < from || c->x[k] > to) continue;
+        numbers += !isnan(c->y[k]);
+        x[n] = c->x[k], y[n++] = c->y[k];
+    }
+    return measure(order_of_all(n, x, y), numbers, needs);
 }
 
 bool method_known(const char *name)
@@ -111,6 +154,12 @@ bool is_lost(const Table *rows, int row)
 {
     const char *status = table_text(rows, row, "status");
     return strcmp(status, "ok") != 0 && strcmp(status, "energy_growth") != 0;
+}
+
+double kept_number(const Table *rows, int row, const char *want)
+{
+    if (table_column(rows, "status") >= 0 && is_lost(rows, row)) return NAN;
+    return table_number(rows, row, want);
 }
 
 void part_path(char path[PATH_TEXT], const char *dir, const char *name, const char *part)

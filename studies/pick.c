@@ -23,14 +23,18 @@ static bool matches(const Table *t, int row, const char *condition)
            same_value(table_text(t, row, column), condition + n + 1);
 }
 
+bool row_matches(const Table *t, int row, int n, const char *const where[])
+{
+    for (int k = 0; k < n; k++)
+        if (!matches(t, row, where[k])) return false;
+    return true;
+}
+
 int rows_pick(const Table *t, int n, const char *const where[], const char *want, int max,
               double out[])
 {
     int found = 0;
-    for (int row = 0; row < t->nrow && found < max; row++) {
-        bool all = true;
-        for (int k = 0; k < n && all; k++) all = matches(t, row, where[k]);
-        if (all) out[found++] = table_number(t, row, want);
-    }
+    for (int row = 0; row < t->nrow && found < max; row++)
+        if (row_matches(t, row, n, where)) out[found++] = table_number(t, row, want);
     return found;
 }

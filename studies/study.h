@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include "../common/engine.h"
 #include "../common/table.h"
+#include "measure.h"
 
 typedef struct Cases Cases;
 typedef struct Check Check;
@@ -22,6 +23,7 @@ typedef struct Study {
     /* Tables that are not rows of runs (shape functions, drawings), written into dir; or NULL. */
     int (*tables)(const char *dir, bool quick, Fault *fault);
     void (*check)(Check *check, const Table *rows, const char *dir); /* or NULL: nothing claimed */
+    int claims;         /* that check() makes, whatever the tables hold */
     bool timed;         /* it measures time: its cases run one by one, whatever --jobs says */
     const char *script; /* plots/SCRIPT.gp, if that is not NAME */
 } Study;
@@ -34,14 +36,19 @@ void case_add(Cases *cases, const char *format, ...) __attribute__((format(print
 void case_add_with(Cases *cases, const char *kind, const char *file, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* A claim: measured within [low, high] is PASS, else FAIL. id like "W07-5.mpm-exponent". */
-void claim(Check *check, const char *id, const char *statement, double measured, double low,
+/* A claim: measured within [low, high] is PASS, else FAIL; FAIL, too, if it stands on fewer rows
+ * than it needs. id like "W07-5.mpm-exponent". */
+void claim(Check *check, const char *id, const char *statement, Measure measured, double low,
            double high);
 
 /* The paper's sentence needs [low, high] and does not hold here: DIFFERS with the reason while
  * measured stays within the evidence [seen_low, seen_high]; PASS if it does hold; else FAIL. */
-void claim_differs(Check *check, const char *id, const char *statement, double measured, double low,
-                   double high, double seen_low, double seen_high, const char *reason);
+void claim_differs(Check *check, const char *id, const char *statement, Measure measured,
+                   double low, double high, double seen_low, double seen_high, const char *reason);
+
+/* Reads dir/NAME.PART.csv, which tables() wrote. If it is not there, all claims of the study FAIL;
+ * then, too, the table that is returned has no rows. */
+Table *claim_part(Check *check, const char *dir, const char *part);
 
 /* A number that the plot shows in its key: NAME.var holds "name = value" for gnuplot. */
 void note_number(Check *check, const char *name, double value);
@@ -50,6 +57,9 @@ void note_number(Check *check, const char *name, double value);
  * Returns how many were found (at most max). Texts compare as numbers where both are numbers. */
 int rows_pick(const Table *t, int n, const char *const where[], const char *want, int max,
               double out[]);
+
+/* Does the row satisfy all of them? */
+bool row_matches(const Table *t, int row, int n, const char *const where[]);
 
 /* How many cases a study has; 0 if its page is wrong. */
 int study_case_count(const Study *study, bool quick);

@@ -5,8 +5,8 @@
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <string.h>
+#include "files.h"
 #include "hole.h"
-#include "pages.h"
 
 static const char name[] = "t_01_ge_wls";
 
@@ -19,6 +19,7 @@ static const struct {
                   [MASS] = {"mass", "corrected", "lumped"},
                   [RETURN] = {"return", "spline", "linear"}};
 
+enum { RUNS = 78, INSTANTS = 300, RIM = 30 }; /* of ge_wls; of a history; along the hole */
 enum { MESHES = 9, COARSE = 7, OFFSETS = 10, STEPS = 6, TIMES = 2 };
 static const int cells[MESHES] = {8, 11, 16, 23, 32, 45, 64, 91, 128};
 static const double cfl[STEPS] = {0.05, 0.1, 0.2, 0.4, 0.6, 0.8};
@@ -90,18 +91,17 @@ static void cases(Cases *list, bool quick)
         case_add(list, "run ring --method ge_wls --cells %d --ppc %d", quick ? 8 : 32, ppc);
 }
 
-/* A number of the first such row: that of the method as it is, unless a setting is named. NAN if
- * there is none or it was lost. */
-static double value_of(const Table *rows, const char *problem, const char *method, int n,
-                       const char *setting, const char *want)
+/* A number of the first such row: that of the method as it is, unless a setting is named. */
+static Measure value_of(const Table *rows, const char *problem, const char *method, int n,
+                        const char *setting, const char *want)
 {
     for (int row = 0; row < rows->nrow; row++)
         if (strcmp(table_text(rows, row, "problem"), problem) == 0 &&
             strcmp(table_text(rows, row, "method"), method) == 0 &&
             lround(table_number(rows, row, "cells")) == n &&
             (!setting || strstr(table_text(rows, row, "params"), setting)))
-            return is_lost(rows, row) ? NAN : table_number(rows, row, want);
-    return NAN;
+            return measure(kept_number(rows, row, want), !isnan(kept_number(rows, row, want)), 1);
+    return measure(NAN, 0, 1);
 }
 
 static const char *setting_without(int part, char text[64])
@@ -127,8 +127,10 @@ static int tables(const char *dir, bool quick, Fault *fault)
                 const bool other = what == PARTS;
                 const double error =
                     value_of(rows, problem[p], other ? "wls2" : "ge_wls", cells[k],
-                             other ? NULL : setting_without(what, text), "error_linf");
-                const double fem = value_of(rows, problem[p], "fem", cells[k], NULL, "error_linf");
+                             other ? NULL : setting_without(what, text), "error_linf")
+                        .value;
+                const double fem =
+                    value_of(rows, problem[p], "fem", cells[k], NULL, "error_linf").value;
                 if (!isnan(error / fem))
                     fprintf(f, "%s,%s,%d,%.17g\n", problem[p],
                             other      ? "wls2"
@@ -140,15 +142,20 @@ static int tables(const char *dir, bool quick, Fault *fault)
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
-/* Largest of ge_wls's error over FEM's on the ring, over meshes from .. to. */
-static double worst_share(const Table *rows, const char *norm, int from, int to)
+/* Of ge_wls over FEM on one mesh. */
+static Measure share(const Table *rows, const char *problem, const char *norm, int n)
 {
-    double worst = 0;
-    for (int k = 0; k < MESHES; k++) {
-        const double s = value_of(rows, "ring", "ge_wls", cells[k], NULL, norm) /
-                         value_of(rows, "ring", "fem", cells[k], NULL, norm);
-        if (cells[k] >= from && cells[k] <= to) worst = s <= worst ? worst : s;
-    }
+    return over(value_of(rows, problem, "ge_wls", n, NULL, norm),
+                value_of(rows, problem, "fem", n, NULL, norm));
+}
+
+/* The largest on the ring, over meshes from .. to. */
+static Measure worst_share(const Table *rows, const char *norm, int from, int to)
+{
+    Measure worst = largest_of(0);
+    for (int k = 0; k < MESHES; k++)
+        if (cells[k] >= from && cells[k] <= to)
+            worst = largest(worst, share(rows, "ring", norm, cells[k]));
     return worst;
 }
 
@@ -163,59 +170,68 @@ static void check_ring(Check *c, const Table *rows)
                   "N = 23 alone is above: .71, .858, .76, .77 at 16, 23, 32, 45");
     claim(c, "T-1b.rms-fine", "the same for N = 64 ... 128", worst_share(rows, "error_l2", 64, 128),
           0, 0.75);
+    static const char four_periods[] = "problem=ring method=%s cells=%d t_end=0.08";
     for (int n = 32; n <= 64; n *= 2) {
         char id[32], text[96];
         snprintf(id, sizeof id, "T-1b.four-%d", n);
         snprintf(text, sizeof text, "four periods, N = %d: largest error over FEM's", n);
         claim(c, id, text,
-              value_pick(rows, "error_linf", "problem=ring method=ge_wls cells=%d t_end=0.08", n) /
-                  value_pick(rows, "error_linf", "problem=ring method=fem cells=%d t_end=0.08", n),
+              over(value_pick(rows, "error_linf", four_periods, "ge_wls", n),
+                   value_pick(rows, "error_linf", four_periods, "fem", n)),
               0, 1);
     }
 }
 
-/* Mean and spread of errors over whole rings off the grid lines; returns how many were not lost. */
-static int offsets(const Table *rows, const char *method, double *mean, double *sd)
+/* Mean and spread of errors over whole rings off the grid lines. */
+static Measure offsets(const Table *rows, const char *method, double *sd)
 {
     double error[OFFSETS] = {0};
+    Measure mean = sum_of(OFFSETS);
     int n = 0;
     for (int row = 0; row < rows->nrow && n < OFFSETS; row++)
-        if (strcmp(table_text(rows, row, "method"), method) == 0 && !is_lost(rows, row) &&
+        if (strcmp(table_text(rows, row, "method"), method) == 0 &&
             strstr(table_text(rows, row, "params"), "sector=full"))
-            error[n++] = table_number(rows, row, "error_linf");
-    *mean = gsl_stats_mean(error, 1, (size_t)n);
+            add_sum(&mean, error[n++] = kept_number(rows, row, "error_linf"));
     *sd = n > 1 ? gsl_stats_sd(error, 1, (size_t)n) : NAN;
-    return n;
+    return with_value(mean, gsl_stats_mean(error, 1, (size_t)n));
+}
+
+/* Largest error of ge_wls at any time step over FEM's at the least. */
+static Measure worst_step(const Table *rows)
+{
+    Measure worst = largest_of(STEPS);
+    for (int k = 0; k < STEPS; k++)
+        add_largest(&worst, value_pick(rows, "error_linf",
+                                       "problem=ring method=ge_wls cells=32 cfl=%.17g", cfl[k])
+                                .value);
+    return over(worst, value_pick(rows, "error_linf", "problem=ring method=fem cells=32 cfl=0.05"));
+}
+
+/* Of all rows of ge_wls, as many as cases() asks for. */
+static Measure count_lost(const Table *rows)
+{
+    Measure lost = sum_of(RUNS);
+    for (int row = 0; row < rows->nrow; row++)
+        if (strcmp(table_text(rows, row, "method"), rivals[0]) == 0)
+            add_sum(&lost, is_lost(rows, row));
+    return lost;
 }
 
 static void check_doubts(Check *c, const Table *rows)
 {
-    double mean[2], sd[2], worst = 0;
-    int lost = 0;
-    const int n = offsets(rows, "ge_wls", &mean[0], &sd[0]);
-    offsets(rows, "fem", &mean[1], &sd[1]);
+    double sd, sd_fem;
+    const Measure mean = offsets(rows, "ge_wls", &sd);
     claim(c, "T-1b.offsets", "whole rings at ten offsets and angles, N = 32: mean error over FEM's",
-          n == OFFSETS ? mean[0] / mean[1] : NAN, 0, 1);
-    note_number(c, "spread", sd[0] / mean[0]);
-    for (int k = 0; k < STEPS; k++) {
-        const double s =
-            value_pick(rows, "error_linf", "problem=ring method=ge_wls cells=32 cfl=%.17g",
-                       cfl[k]) /
-            value_pick(rows, "error_linf", "problem=ring method=fem cells=32 cfl=0.05");
-        worst = s <= worst ? worst : s;
-    }
-    claim(c, "T-1b.cfl", "CFL .05 to .8, N = 32: largest error over FEM's at CFL .05", worst, 0, 1);
-    for (int row = 0; row < rows->nrow; row++)
-        lost += strcmp(table_text(rows, row, "method"), rivals[0]) == 0 && is_lost(rows, row);
-    claim(c, "T-1b.lost", "runs of ge_wls lost, of all here, parts removed included", lost, 0, 0);
+          over(mean, offsets(rows, "fem", &sd_fem)), 0, 1);
+    note_number(c, "spread", sd / mean.value);
+    claim(c, "T-1b.cfl", "CFL .05 to .8, N = 32: largest error over FEM's at CFL .05",
+          worst_step(rows), 0, 1);
+    claim(c, "T-1b.lost", "runs of ge_wls lost, of all here, parts removed included",
+          count_lost(rows), 0, 0);
     claim(c, "T-1b.vortex", "generalized vortex, G = .2, N = 32: largest error over FEM's",
-          value_of(rows, "vortex", "ge_wls", 32, NULL, "error_linf") /
-              value_of(rows, "vortex", "fem", 32, NULL, "error_linf"),
-          0, 1);
+          share(rows, "vortex", "error_linf", 32), 0, 1);
     claim_differs(c, "T-1b.axis", "axis-aligned displacement, N = 32: largest error over FEM's",
-                  value_of(rows, "axis_mms", "ge_wls", 32, NULL, "error_linf") /
-                      value_of(rows, "axis_mms", "fem", 32, NULL, "error_linf"),
-                  0, 1, 1, 2,
+                  share(rows, "axis_mms", "error_linf", 32), 0, 1, 1, 2,
                   "a body without free surface: what the fits filter inside is mended to second "
                   "order only");
 }
@@ -225,57 +241,71 @@ static void check_parts(Check *c, const Table *rows)
 {
     for (int part = 0; part < PARTS; part++) {
         char id[64], text[128], setting[64];
-        double gain = 0;
+        Measure gain = sum_of(0);
         setting_without(part, setting);
-        for (int k = 0; k < COARSE; k++)
-            if (cells[k] >= 16)
-                gain += log(value_of(rows, "ring", "ge_wls", cells[k], setting, "error_l2") /
-                            value_of(rows, "ring", "ge_wls", cells[k], NULL, "error_l2")) /
-                        5;
+        for (int k = 0; k < COARSE; k++) {
+            if (cells[k] < 16) continue;
+            const Measure ratio =
+                over(value_of(rows, "ring", "ge_wls", cells[k], setting, "error_l2"),
+                     value_of(rows, "ring", "ge_wls", cells[k], NULL, "error_l2"));
+            gain = sum(gain, with_value(ratio, log(ratio.value) / 5));
+        }
         snprintf(id, sizeof id, "T-1b.part-%s", parts[part].setting);
         snprintf(text, sizeof text,
                  "without %s=%s: rms error on the ring grows, mean factor over N = 16 ... 64",
                  parts[part].setting, parts[part].with);
-        claim_differs(c, id, text, exp(gain), 1, 10, 0.5, 1,
+        claim_differs(c, id, text, with_value(gain, exp(gain.value)), 1, 10, 0.5, 1,
                       "what it buys lies elsewhere: see the figure's other scenes");
     }
 }
 
-/* Energy over that at the start: the last before `t` [s] (to the end: INFINITY), or the largest. */
-static double disk_energy(const char *dir, int part, double t, bool largest)
+/* Energy over that at the start: the last before `t` [s], or the largest so far. */
+static Measure disk_energy(const Files *files, double t, bool most)
 {
-    char file[64];
-    double out = NAN;
-    snprintf(file, sizeof file, "disk.%d", part);
-    Table *h = part_read(dir, name, file, NULL);
-    for (int k = 0; h && k < h->nrow && table_number(h, k, "t") <= t; k++) {
+    Measure out = largest_of(INSTANTS);
+    double last = NAN, now = 0;
+    Table *h = file_read(files, "disk.-1");
+    for (int k = 0; h && k < h->nrow && now <= t; k++) {
         const double e = table_number(h, k, "total") / table_number(h, 0, "total");
-        out = largest ? fmax(out, e) : e;
+        now = table_number(h, k, "t");
+        if (!(now <= t)) break;
+        add_largest(&out, e);
+        last = e;
     }
     table_free(h);
-    return out;
+    return most || isnan(out.value) ? out : with_value(out, last);
+}
+
+/* Stress along the hole against the reference [GPa], and its scatter. */
+static void measure_plate(const Files *files, Measure *rms, Measure *scatter)
+{
+    HoleReference r;
+    Rim rim;
+    char path[PATH_TEXT], plate[PATH_TEXT];
+    *rms = *scatter = sum_of(RIM);
+    part_path(path, files->dir, name, "reference");
+    part_path(plate, files->dir, name, "plate.-1");
+    if (!path_kept(files, path) || !path_kept(files, plate)) return;
+    if (hole_reference_read(&r, path, 256, NULL)) return;
+    if (rim_read(&rim, plate, 32, &r, NULL) == 0) {
+        *rms = measure(rim_rms(&rim), rim.n, RIM);
+        *scatter = measure(rim_scatter(&rim), rim.n, RIM);
+        rim_free(&rim);
+    }
+    hole_reference_free(&r);
 }
 
 static void check_scenes(Check *c, const char *dir)
 {
-    HoleReference r;
-    Rim rim;
-    char path[PATH_TEXT];
-    double rms = NAN, scatter = NAN;
-    claim(c, "T-1b.disk", "disk: energy over E0 at t = 2.3", disk_energy(dir, -1, 2.3, false), 0.98,
+    Measure rms, scatter;
+    Files files;
+    files_open(&files, dir, name);
+    claim(c, "T-1b.disk", "disk: energy over E0 at t = 2.3", disk_energy(&files, 2.3, false), 0.98,
           1.005);
-    claim(c, "T-1b.disk-late", "and at t = 4", disk_energy(dir, -1, late, false), 0.91, 1.005);
-    claim(c, "T-1b.disk-most", "its largest ever", disk_energy(dir, -1, late, true), 0.99, 1.005);
-    part_path(path, dir, name, "reference");
-    if (hole_reference_read(&r, path, 256, NULL) == 0) {
-        part_path(path, dir, name, "plate.-1");
-        if (rim_read(&rim, path, 32, &r, NULL) == 0) {
-            rms = rim_rms(&rim);
-            scatter = rim_scatter(&rim);
-            rim_free(&rim);
-        }
-        hole_reference_free(&r);
-    }
+    claim(c, "T-1b.disk-late", "and at t = 4", disk_energy(&files, late, false), 0.91, 1.005);
+    claim(c, "T-1b.disk-most", "its largest ever", disk_energy(&files, late, true), 0.99, 1.005);
+    measure_plate(&files, &rms, &scatter);
+    files_close(&files);
     claim(c, "T-1b.plate", "plate, h = 1/32: rms difference of stress from the reference [GPa]",
           rms, 0, 2.2);
     claim(c, "T-1b.plate-scatter", "and scatter along the hole [GPa]", scatter, 0, 1.8);
@@ -296,4 +326,5 @@ const Study study_t_01_ge_wls = {
     .cases = cases,
     .tables = tables,
     .check = check,
+    .claims = 20,
 };

@@ -8,7 +8,7 @@
  * the start, when fields are exact. */
 #include <math.h>
 #include <string.h>
-#include "pages.h"
+#include "files.h"
 
 /* Settings in the order in which rows spell them. */
 enum { AVERAGE, DISTANCE, QUADRATURE, RETURN, SPURIOUS, STRESS, TRIGGER, SETTINGS };
@@ -88,7 +88,7 @@ static double cut_error(const char *path, int n)
 {
     FILE *f = fopen(path, "r");
     char line[256];
-    double most = NAN;
+    double most = -INFINITY;
     while (f && fgets(line, sizeof line, f)) {
         int cell, k, cut;
         double x, y;
@@ -96,25 +96,28 @@ static double cut_error(const char *path, int n)
         const bool on_x = fabs(x * n - round(x * n)) < 1e-7,
                    on_y = fabs(y * n - round(y * n)) < 1e-7;
         if (on_x == on_y) continue;
-        most = fmax(most, fmin(fabs(hypot(x, y) - 0.625), fabs(hypot(x, y) - 1.1)));
+        most = worse(most, lesser(fabs(hypot(x, y) - 0.625), fabs(hypot(x, y) - 1.1)));
     }
     if (f) fclose(f);
-    return most;
+    return isinf(most) ? NAN : most;
 }
 
 static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT], part[64];
+    Files files;
+    files_open(&files, dir, name);
     part_path(path, dir, name, "cuts");
     FILE *f = file_begin(path, fault);
-    if (f) fputs("method,cells,error\n", f);
+    if (f) fputs("method,cells,error,status\n", f);
     for (int m = 0; f && m < METHODS; m++)
         for (int k = 0; k < (quick ? 2 : CUT_MESHES); k++) {
             snprintf(part, sizeof part, "%s.%d", cut_methods[m], cut_cells[k]);
             part_path(path, dir, name, part);
-            fprintf(f, "%s,%d,%.17g\n", cut_methods[m], cut_cells[k],
-                    cut_error(path, cut_cells[k]));
+            fprintf(f, "%s,%d,%.17g,%s\n", cut_methods[m], cut_cells[k],
+                    cut_error(path, cut_cells[k]), file_status(&files, part));
         }
+    files_close(&files);
     part_path(path, dir, name, "cuts");
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
@@ -125,34 +128,33 @@ static const char *setting(int run, int which)
     return runs[run].cures ? cured[which] : published[which];
 }
 
+#define ALL_SETTINGS                                                                               \
+    "A=0.1;angle=0;average=%s;distance=%s;hermite=0;mass=lumped;offset_x=0;offset_y=0;"            \
+    "quadrature=%s;return=%s;sector=quarter;spurious_velocity=%s;stress=%s;surface_per_cell=0;"    \
+    "trigger=%s"
+#define SETTINGS_OF(run)                                                                           \
+    setting(run, AVERAGE), setting(run, DISTANCE), setting(run, QUADRATURE), setting(run, RETURN), \
+        setting(run, SPURIOUS), setting(run, STRESS), setting(run, TRIGGER)
+
 static void pick(Curve *c, const Table *rows, const char *want, int run)
 {
-    curve_pick(c, rows, "cells", want,
-               "method=%s params=A=0.1;angle=0;average=%s;distance=%s;hermite=0;mass=lumped;"
-               "offset_x=0;offset_y=0;quadrature=%s;return=%s;sector=quarter;spurious_velocity=%s;"
-               "stress=%s;"
-               "surface_per_cell=0;trigger=%s",
-               runs[run].cures ? "wls2" : "wls", setting(run, AVERAGE), setting(run, DISTANCE),
-               setting(run, QUADRATURE), setting(run, RETURN), setting(run, SPURIOUS),
-               setting(run, STRESS), setting(run, TRIGGER));
+    curve_pick(c, rows, "cells", want, "method=%s params=" ALL_SETTINGS,
+               runs[run].cures ? "wls2" : "wls", SETTINGS_OF(run));
 }
 
-static double error_at(const Table *rows, int run, double n)
+static Measure error_at(const Table *rows, int run, double n)
 {
     Curve c;
     pick(&c, rows, "error_linf", run);
     return curve_at(&c, n);
 }
 
-/* Fitted order over the meshes from .. to. */
-static double order(const Table *rows, int run, double from, double to)
+/* Fitted order over the meshes from .. to, `meshes` of them. */
+static Measure order(const Table *rows, int run, double from, double to, int meshes)
 {
     Curve c;
-    int n = 0;
     pick(&c, rows, "error_linf", run);
-    for (int k = 0; k < c.n; k++)
-        if (c.x[k] >= from && c.x[k] <= to) c.x[n] = c.x[k], c.y[n++] = c.y[k];
-    return -order_fit(n, c.x, c.y, NULL);
+    return times(curve_order(&c, from, to, meshes), -1);
 }
 
 static void check_values(Check *c, const Table *rows)
@@ -172,31 +174,32 @@ static void check_values(Check *c, const Table *rows)
 static void check_causes(Check *c, const Table *rows)
 {
     claim(c, "T-1.wls-tail", "WLS as published falls below second order beyond N = 32: order",
-          order(rows, WLS, 32, 128), 1.2, 1.8);
+          order(rows, WLS, 32, 128, 5), 1.2, 1.8);
     claim(c, "T-1.wls2-order", "WLS2 is of second order over N = 16 ... 64",
-          order(rows, WLS2, 16, 64), 1.8, 2.3);
+          order(rows, WLS2, 16, 64, 5), 1.8, 2.3);
     claim(c, "T-1.wls2-128", "and on to N = 128: its largest error there",
           error_at(rows, WLS2, 128), 0, 4e-5);
     claim(c, "T-1.no-normals",
           "without the distance along normals the tail is back: error over WLS2's at N = 128",
-          error_at(rows, MEAN, 128) / error_at(rows, WLS2, 128), 1.3, 10);
+          over(error_at(rows, MEAN, 128), error_at(rows, WLS2, 128)), 1.3, 10);
     claim(c, "T-1.no-exact", "without the exact rule in cut cells: error over WLS2's at N = 128",
-          error_at(rows, CENTROID, 128) / error_at(rows, WLS2, 128), 1.3, 10);
+          over(error_at(rows, CENTROID, 128), error_at(rows, WLS2, 128)), 1.3, 10);
     claim(c, "T-1.spline-order",
           "the return path through the wide spline keeps second order over N = 64 ... 256",
-          order(rows, SPLINE, 64, 256), 1.8, 2.3);
+          order(rows, SPLINE, 64, 256, 5), 1.8, 2.3);
 }
 
 /* Readings of the text that do not run. */
 static void check_failures(Check *c, const Table *rows)
 {
-    int lost = 0;
+    Measure lost = sum_of(5);
     claim(c, "T-1.c0", "values of nodes only, no slopes: largest error at N = 64 (WLS: 2.7e-4)",
           error_at(rows, C0, 64), 5e-3, 1);
     for (int k = 0; k < 5; k++) {
-        Curve steps;
-        pick(&steps, rows, "steps", LITERAL);
-        lost += curve_at(&steps, cells[k]) < 20;
+        const double steps = ended_pick(rows, "steps", "method=wls cells=%d params=" ALL_SETTINGS,
+                                        cells[k], SETTINGS_OF(LITERAL))
+                                 .value;
+        add_sum(&lost, isnan(steps) ? NAN : steps < 20);
     }
     claim(c, "T-1.literal", "the mean of forces as printed: runs of five lost within 20 steps",
           lost, 5, 5);
@@ -205,23 +208,21 @@ static void check_failures(Check *c, const Table *rows)
 /* From N = 16 on: PHYSICS 8 (b). */
 static void check_cuts(Check *c, const char *dir)
 {
-    double order[METHODS], largest[METHODS];
-    Table *t = part_read(dir, name, "cuts", NULL);
+    Measure order[METHODS], most[METHODS];
+    Table *t = claim_part(c, dir, "cuts");
     for (int m = 0; m < METHODS; m++) {
         Curve curve;
-        order[m] = largest[m] = NAN;
-        if (!t) continue;
         curve_pick(&curve, t, "cells", "error", "method=%s", cut_methods[m]);
-        if (curve.n == CUT_MESHES) order[m] = -order_fit(4, curve.x + 1, curve.y + 1, NULL);
-        for (int k = 0; k < curve.n; k++)
-            largest[m] = fmax(largest[m], curve.y[k] * curve.x[k] * curve.x[k]);
+        order[m] = times(curve_order(&curve, 16, 128, 4), -1);
+        for (int k = 0; k < curve.n; k++) curve.y[k] *= curve.x[k] * curve.x[k];
+        most[m] = curve_max(&curve, CUT_MESHES);
     }
     table_free(t);
     claim(c, "T-1.cuts-mean",
           "cut points by the mean of surface points fall below second order: order over 16 ... 128",
           order[0], 0.6, 1.8);
     claim(c, "T-1.cuts-normals", "by normals they are of second order", order[1], 1.8, 2.2);
-    claim(c, "T-1.cuts-bound", "largest distance by normals at any N, in h^2 [1/m]", largest[1], 0,
+    claim(c, "T-1.cuts-bound", "largest distance by normals at any N, in h^2 [1/m]", most[1], 0,
           0.2);
     claim(c, "T-1.cuts-curved", "on a curved surface they are of third order or better", order[2],
           2.8, 5);
@@ -242,4 +243,5 @@ const Study study_t_01_wls = {
     .cases = cases,
     .tables = tables,
     .check = check,
+    .claims = 14,
 };

@@ -16,6 +16,7 @@
 #include "stability.h"
 
 static const char name[] = "t_04_stability";
+enum { STALE = 20 }; /* lines of pairs with a stale gradient */
 
 /* Slow runs are rationed: what the figure shows, the default integrators, gets the finest mesh and
  * the lowest rung; the others get there where the next rung fails. Refused pairs run at one PPC. */
@@ -76,36 +77,32 @@ static int tables(const char *dir, bool quick, Fault *fault)
     return stability_tables(dir, name, fault);
 }
 
-/* The least limit over PPC of a pair in 1D; NAN if it is not there. */
-static double bar(const Table *worst, const char *what, const char *pair, double A)
+/* The least limit over PPC of a pair in 1D. */
+static Measure bar(const Table *worst, const char *what, const char *pair, double A)
 {
     return value_pick(worst, what, "dim=1 %s amplitude=%g", pair, A);
 }
 
-/* In 2D, over amplitudes, too. */
-static double plane(const Table *worst, const char *method, const char *integrator)
+/* In 2D, over both amplitudes, too. */
+static Measure plane(const Table *worst, const char *method, const char *integrator)
 {
-    Curve limits;
-    curve_pick(&limits, worst, "amplitude", "stable", "dim=2 method=%s integrator=%s", method,
-               integrator);
-    double least = limits.n ? INFINITY : NAN;
-    for (int k = 0; k < limits.n; k++) least = fmin(least, limits.y[k]);
-    return least;
+    static const char where[] = "dim=2 method=%s integrator=%s refresh=0 amplitude=%g";
+    const double *A = stability_maps[1].A;
+    return least(value_pick(worst, "stable", where, method, integrator, A[0]),
+                 value_pick(worst, "stable", where, method, integrator, A[1]));
 }
 
-/* The largest over methods that refuse an integrator for its stale gradient: `runs` of them. */
-static double best_stale(const Table *worst, int *runs)
+/* The largest over methods that refuse an integrator for its stale gradient. */
+static Measure best_stale(const Table *worst)
 {
-    double best = 0;
-    *runs = 0;
+    Measure best = largest_of(STALE);
     for (int row = 0; row < worst->nrow; row++) {
         const Pair fresh = {table_text(worst, row, "integrator"), true};
         const Engine *engine = engines[table_number(worst, row, "dim") > 1];
         const char *problem = stability_maps[engine->dim - 1].problem;
         if (table_number(worst, row, "refresh") > 0) continue;
         if (!pair_is_run(engine, problem, table_text(worst, row, "method"), fresh)) continue;
-        best = fmax(best, table_number(worst, row, "stable"));
-        *runs += 1;
+        add_largest(&best, table_number(worst, row, "stable"));
     }
     return best;
 }
@@ -133,24 +130,21 @@ static void check_bar(Check *c, const Table *worst)
 
 static void check(Check *c, const Table *rows, const char *dir)
 {
-    Table *worst = part_read(dir, name, "worst", NULL);
-    int runs;
+    Table *worst = claim_part(c, dir, "worst");
     (void)rows;
-    if (!worst) return;
     check_bar(c, worst);
     for (int k = 0; k < 2; k++) {
         const char *pair = k ? "method=gimp integrator=uvf" : "method=gimp integrator=musl";
         claim(c, k ? "T-4.uvf" : "T-4.musl",
               k ? "and with uvf" : "GIMP with musl: A = 1e-4 and .01, the lower limit",
-              fmin(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4, 2);
+              least(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4, 2);
     }
     claim(c, "T-4.plane-gimp", "2D, own measurement: GIMP with cd, the worse amplitude",
           plane(worst, "gimp", "cd"), 0.65, 0.8);
     claim(c, "T-4.plane-bspline", "B-splines with cd", plane(worst, "bspline", "cd"), 0.9, 1.2);
     claim(c, "T-4.plane-fem", "FEM", plane(worst, "fem", "cd"), 0.6, 0.8);
-    const double stale = best_stale(worst, &runs);
     claim(c, "T-4.stale", "a stale gradient projected twice a step: largest limit of all such",
-          runs ? stale : NAN, 0, 0);
+          best_stale(worst), 0, 0);
     table_free(worst);
 }
 
@@ -162,4 +156,5 @@ const Study study_t_04_stability = {
     .refine = refine,
     .tables = tables,
     .check = check,
+    .claims = 16,
 };

@@ -11,8 +11,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files.h"
 #include "memory.h"
-#include "pages.h"
 
 enum { NORMS = 6, MESHES = 5 };
 static const char name[] = "t_06_norms";
@@ -54,50 +54,50 @@ static void cases(Cases *list, bool quick)
 /* linf, l2, l1 of a file of errors. */
 static void end_norms(const Table *points, double out[3])
 {
-    double most = 0, square = 0, sum = 0, weight = 0;
+    double most = points->nrow ? 0 : NAN, square = 0, total = 0, weight = 0;
     for (int k = 0; k < points->nrow; k++) {
         const double e = table_number(points, k, "error"), w = table_number(points, k, "weight");
-        most = fmax(most, e);
+        most = worse(most, e);
         square += w * e * e;
-        sum += w * e;
+        total += w * e;
         weight += w;
     }
     out[0] = most;
     out[1] = sqrt(square / weight);
-    out[2] = sum / weight;
+    out[2] = total / weight;
 }
 
-static int six_norms(const Table *rows, const char *dir, const Ladder *l, const char *method,
-                     int cells, double out[NORMS])
+static int six_norms(const Files *files, const Ladder *l, const char *method, int cells,
+                     double out[NORMS])
 {
     char part[64];
     part_name(part, l, method, cells);
-    Table *points = part_read(dir, name, part, NULL);
+    Table *points = file_read(files, part);
     if (!points) return -1;
     for (int k = 0; k < 3; k++)
-        out[k] = value_pick(rows, columns[k], "problem=%s method=%s cells=%d", l->problem, method,
-                            cells);
+        out[k] = value_pick(files->rows, columns[k], "problem=%s method=%s cells=%d", l->problem,
+                            method, cells)
+                     .value;
     end_norms(points, out + 3);
     table_free(points);
     return 0;
 }
 
 /* One line a norm: its error on the usual mesh, its order over all. */
-static void write_norms(FILE *f, const Table *rows, const char *dir, const Ladder *l,
-                        const char *method)
+static void write_norms(FILE *f, const Files *files, const Ladder *l, const char *method)
 {
-    double error[NORMS][MESHES], h[MESHES], one[NORMS], usual[NORMS] = {0};
+    double error[NORMS][MESHES], h[MESHES], one[NORMS], usual[NORMS] = {NAN};
     int n = 0;
     for (int k = 0; k < MESHES && l->cells[k]; k++) {
-        if (six_norms(rows, dir, l, method, l->cells[k], one)) continue;
+        if (six_norms(files, l, method, l->cells[k], one)) continue;
         h[n] = 1.0 / l->cells[k];
         for (int m = 0; m < NORMS; m++) error[m][n] = one[m];
         if (l->cells[k] == l->usual) memcpy(usual, one, sizeof usual);
         n++;
     }
     for (int m = 0; m < NORMS && n > 0; m++)
-        fprintf(f, "%s,%s,%d,%s,%.10g,%.6g\n", l->problem, method, m, norms[m], usual[m],
-                order_fit(n, h, error[m], NULL));
+        fprintf(f, "%s,%s,%d,%s,%.10g,%.6g,%d\n", l->problem, method, m, norms[m], usual[m],
+                order_of_all(n, h, error[m]), n);
 }
 
 typedef struct Cloud {
@@ -105,11 +105,11 @@ typedef struct Cloud {
     double *x, *y, *error;
 } Cloud;
 
-static Cloud cloud_read(const char *dir, const Ladder *l, const char *method, int cells)
+static Cloud cloud_read(const Files *files, const Ladder *l, const char *method, int cells)
 {
     char part[64];
     part_name(part, l, method, cells);
-    Table *t = part_read(dir, name, part, NULL);
+    Table *t = file_read(files, part);
     Cloud c = {.n = t ? t->nrow : 0};
     c.x = must(calloc(3 * (size_t)c.n + 1, sizeof *c.x));
     c.y = c.x + c.n;
@@ -149,25 +149,25 @@ static Same compare(const Cloud *mesh, const Cloud *particles, double h)
 {
     Same s = {0};
     for (int k = 0; k < mesh->n; k++) {
-        s.all[0] = fmax(s.all[0], mesh->error[k]);
+        s.all[0] = worse(s.all[0], mesh->error[k]);
         const int p = nearest_inside(particles, mesh->x[k], mesh->y[k], h);
         if (p < 0) continue;
         const double e[2] = {mesh->error[k], particles->error[p]};
         for (int c = 0; c < 2; c++) {
-            s.linf[c] = fmax(s.linf[c], e[c]);
+            s.linf[c] = worse(s.linf[c], e[c]);
             s.l1[c] += e[c];
         }
         s.pairs++;
     }
-    for (int k = 0; k < particles->n; k++) s.all[1] = fmax(s.all[1], particles->error[k]);
+    for (int k = 0; k < particles->n; k++) s.all[1] = worse(s.all[1], particles->error[k]);
     for (int c = 0; c < 2; c++) s.l1[c] /= s.pairs;
     return s;
 }
 
-static void write_same(FILE *f, const char *dir, const Ladder *l, const char *method, int cells)
+static void write_same(FILE *f, const Files *files, const Ladder *l, const char *method, int cells)
 {
-    Cloud mesh = cloud_read(dir, l, l->methods[2], cells);
-    Cloud particles = cloud_read(dir, l, method, cells);
+    Cloud mesh = cloud_read(files, l, l->methods[2], cells);
+    Cloud particles = cloud_read(files, l, method, cells);
     const Same s = compare(&mesh, &particles, 1.0 / cells);
     if (s.pairs)
         fprintf(f, "%s,%d,%d,%d,%.10g,%.10g,%.10g,%.10g,%.10g,%.10g\n", method, cells, mesh.n,
@@ -189,54 +189,65 @@ static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT];
     (void)quick;
-    Table *rows = part_read(dir, name, NULL, fault);
-    FILE *f =
-        rows ? begin(dir, "norms", path, "problem,method,norm,name,error,order", fault) : NULL;
+    Files files;
+    files_open(&files, dir, name);
+    FILE *f = begin(dir, "norms", path, "problem,method,norm,name,error,order,meshes", fault);
     for (const Ladder *l = ladders; f && l < ladders + LADDERS; l++)
-        for (int m = 0; m < 3 && l->methods[m]; m++) write_norms(f, rows, dir, l, l->methods[m]);
-    table_free(rows);
-    if (!f || file_commit(f, path, fault)) return FAULT_MACHINE;
-    f = begin(dir, "same", path, "method,cells,nodes,pairs,fem_all,all,fem_linf,linf,fem_l1,l1",
-              fault);
+        for (int m = 0; m < 3 && l->methods[m]; m++) write_norms(f, &files, l, l->methods[m]);
+    const int code = f ? file_commit(f, path, fault) : FAULT_MACHINE;
+    f = code ? NULL
+             : begin(dir, "same", path,
+                     "method,cells,nodes,pairs,fem_all,all,fem_linf,linf,fem_l1,l1", fault);
     for (int m = 0; f && m < 2; m++)
         for (int k = 0; k < MESHES && ladders[0].cells[k]; k++)
-            write_same(f, dir, &ladders[0], ladders[0].methods[m], ladders[0].cells[k]);
+            write_same(f, &files, &ladders[0], ladders[0].methods[m], ladders[0].cells[k]);
+    files_close(&files);
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
-static double norm(const Table *t, const char *problem, const char *method, int k, const char *what)
+/* Of norm k; an order stands on as many rows as there are meshes. */
+static Measure norm(const Table *t, const char *problem, const char *method, int k,
+                    const char *what)
 {
-    return value_pick(t, what, "problem=%s method=%s norm=%d", problem, method, k);
+    static const char where[] = "problem=%s method=%s norm=%d";
+    const Measure m = value_pick(t, what, where, problem, method, k);
+    if (strcmp(what, "order") != 0) return m;
+    const Ladder *l = ladders;
+    int meshes = 0;
+    while (strcmp(l->problem, problem) != 0) l++;
+    while (meshes < MESHES && l->cells[meshes]) meshes++;
+    const double had = value_pick(t, "meshes", where, problem, method, k).value;
+    return measure(m.value, m.rows ? (int)had : 0, meshes);
 }
 
 /* Largest less least order of six. */
-static double order_spread(const Table *t, const char *problem, const char *method)
+static Measure order_spread(const Table *t, const char *problem, const char *method)
 {
-    double least = INFINITY, most = -INFINITY;
+    Measure most = largest_of(0), low = least_of(0);
     for (int k = 0; k < NORMS; k++) {
-        const double order = norm(t, problem, method, k, "order");
-        least = fmin(least, order);
-        most = fmax(most, order);
+        most = largest(most, norm(t, problem, method, k, "order"));
+        low = least(low, norm(t, problem, method, k, "order"));
     }
-    return most - least;
+    return with_value(most, most.value - low.value);
 }
 
 /* GIMP's error over FEM's on the ring: the largest ratio of six over the least. */
-static double ratio_spread(const Table *t)
+static Measure ratio_spread(const Table *t)
 {
-    double least = INFINITY, most = 0;
+    Measure most = largest_of(0), low = least_of(0);
     for (int k = 0; k < NORMS; k++) {
-        const double r = norm(t, "ring", "gimp", k, "error") / norm(t, "ring", "fem", k, "error");
-        least = fmin(least, r);
-        most = fmax(most, r);
+        const Measure r =
+            over(norm(t, "ring", "gimp", k, "error"), norm(t, "ring", "fem", k, "error"));
+        most = largest(most, r);
+        low = least(low, r);
     }
-    return most / least;
+    return times(most, 1 / low.value);
 }
 
-static double same_ratio(const Table *same, int cells, const char *particles, const char *mesh)
+static Measure same_ratio(const Table *same, int cells, const char *particles, const char *mesh)
 {
-    return value_pick(same, particles, "method=gimp cells=%d", cells) /
-           value_pick(same, mesh, "method=gimp cells=%d", cells);
+    return over(value_pick(same, particles, "method=gimp cells=%d", cells),
+                value_pick(same, mesh, "method=gimp cells=%d", cells));
 }
 
 static void check_tables(Check *c, const Table *t, const Table *same)
@@ -269,9 +280,9 @@ static void check_tables(Check *c, const Table *t, const Table *same)
 
 static void check(Check *c, const Table *rows, const char *dir)
 {
-    Table *t = part_read(dir, name, "norms", NULL), *same = part_read(dir, name, "same", NULL);
+    Table *t = claim_part(c, dir, "norms"), *same = claim_part(c, dir, "same");
     (void)rows;
-    if (t && same) check_tables(c, t, same);
+    check_tables(c, t, same);
     table_free(same);
     table_free(t);
 }
@@ -283,4 +294,5 @@ const Study study_t_06_norms = {
     .cases = cases,
     .tables = tables,
     .check = check,
+    .claims = 11,
 };

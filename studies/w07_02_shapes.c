@@ -9,8 +9,8 @@
 
 static const char name[] = "w07_02_shapes";
 static const char *const methods[] = {"mpm", "gimp"};
-enum { PARTS = 256, REACH = 3 * PARTS / 2 }; /* of h */
-static const double half_width = 0.25;       /* [h] */
+enum { PARTS = 256, REACH = 3 * PARTS / 2, SAMPLES = 2 * REACH + 1 }; /* of h */
+static const double half_width = 0.25;                                /* [h] */
 
 static void write_shapes(FILE *f)
 {
@@ -35,20 +35,20 @@ static int tables(const char *dir, bool quick, Fault *fault)
 }
 
 /* Largest |sum over three nodes - 1| for particles within half a cell of the middle one. */
-static double unity(const Curve *S)
+static Measure unity(const Curve *S)
 {
-    double worst = S->n > 2 * REACH ? 0 : NAN;
+    double worst = 0;
     for (int k = PARTS; k + PARTS < S->n; k++)
-        worst = fmax(worst, fabs(S->y[k - PARTS] + S->y[k] + S->y[k + PARTS] - 1));
-    return worst;
+        worst = worse(worst, fabs(S->y[k - PARTS] + S->y[k] + S->y[k + PARTS] - 1));
+    return with_value(curve_max(S, SAMPLES), worst);
 }
 
 /* Largest change between samples h/256 apart. */
-static double jump(const Curve *G)
+static Measure jump(const Curve *G)
 {
-    double worst = G->n > 0 ? 0 : NAN;
-    for (int k = 1; k < G->n; k++) worst = fmax(worst, fabs(G->y[k] - G->y[k - 1]));
-    return worst;
+    double worst = 0;
+    for (int k = 1; k < G->n; k++) worst = worse(worst, fabs(G->y[k] - G->y[k - 1]));
+    return with_value(curve_max(G, SAMPLES), worst);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
@@ -78,4 +78,5 @@ const Study study_w07_02_shapes = {
     .about = "trial functions of MPM and GIMP (half width h/4) and their gradients",
     .tables = tables,
     .check = check,
+    .claims = 4,
 };

@@ -2,10 +2,10 @@
  * particles, full and cut cells of WLS. Wallstedt and Guilkey (2011), fig. 1. */
 #include <math.h>
 #include <stdlib.h>
-#include "pages.h"
+#include "files.h"
 
 static const char name[] = "w11_01_volumes";
-enum { CELLS = 8, FINE = 2000 };                          /* samples a metre */
+enum { CELLS = 8, FINE = 2000 /* samples a metre */, CORNERS = 200, BOXES = 100 };
 static const double late_inner = 0.375, late_outer = 0.9; /* of the exact solution at 10 ms */
 
 static void cases(Cases *list, bool quick)
@@ -23,18 +23,20 @@ static void cases(Cases *list, bool quick)
                   "run ring --method wls2 --cells 32 --set steps=1");
 }
 
-/* Sum of the areas of all polygons in a file of patches; NAN if it cannot be read. */
-static double area_of(const char *dir, const char *part)
+/* Sum of the areas of all polygons in a file of patches, over the area there should be. */
+static Measure area_of(const Files *files, const char *part, double right)
 {
     char path[PATH_TEXT], line[256];
     double twice = 0, first[2] = {0, 0}, last[2] = {0, 0};
-    part_path(path, dir, name, part);
-    FILE *f = fopen(path, "r");
-    if (!f) return NAN;
+    int corners = 0;
+    part_path(path, files->dir, name, part);
+    FILE *f = file_kept(files, part) ? fopen(path, "r") : NULL;
+    if (!f) return measure(NAN, 0, CORNERS);
     while (fgets(line, sizeof line, f)) {
         int cell, k;
         double x[2];
         if (sscanf(line, "%d,%d,%lf,%lf", &cell, &k, &x[0], &x[1]) != 4) continue;
+        corners++;
         if (k == 0)
             first[0] = x[0], first[1] = x[1];
         else /* a fan about the first corner */
@@ -43,7 +45,7 @@ static double area_of(const char *dir, const char *part)
         last[0] = x[0], last[1] = x[1];
     }
     fclose(f);
-    return twice / 2;
+    return measure(twice / 2 / right, corners, CORNERS);
 }
 
 /* Lays GIMP's boxes (half width h/4 times Fxx, Fyy) onto samples of the plane. */
@@ -75,17 +77,19 @@ static void count_boxes(const unsigned char *times, double *gaps, double *overla
     *overlaps = (double)twice / (double)in;
 }
 
-static void measure_boxes(const char *dir, double *gaps, double *overlaps)
+static int measure_boxes(const Files *files, double *gaps, double *overlaps)
 {
-    Table *t = part_read(dir, name, "gimp", NULL);
+    Table *t = file_read(files, "gimp");
     unsigned char *times = calloc((size_t)FINE * FINE, 1);
     *gaps = *overlaps = NAN;
     if (t && times) {
         lay_boxes(t, times);
         count_boxes(times, gaps, overlaps);
     }
+    const int boxes = t ? t->nrow : 0;
     free(times);
     table_free(t);
+    return boxes;
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
@@ -93,21 +97,26 @@ static void check(Check *c, const Table *rows, const char *dir)
     static const double ring = M_PI / 4 * (1.1 * 1.1 - 0.625 * 0.625); /* at the start */
     const double late = M_PI / 4 * (late_outer * late_outer - late_inner * late_inner);
     double gaps, overlaps;
+    Files files;
     (void)rows;
+    files_open(&files, dir, name);
+    const Measure at_16 = area_of(&files, "at_16", ring), at_32 = area_of(&files, "at_32", ring);
     claim(c, "W11-1.wls-16",
           "WLS's cells against the ring's area, N = 16, at the start: relative error",
-          fabs(area_of(dir, "at_16") / ring - 1), 0, 3e-5);
-    claim(c, "W11-1.wls-32", "the same at N = 32", fabs(area_of(dir, "at_32") / ring - 1), 0, 3e-5);
-    measure_boxes(dir, &gaps, &overlaps);
-    claim(c, "W11-1.gimp-gaps", "GIMP's boxes leave gaps: part of the ring at 10 ms, N = 8", gaps,
-          0.01, 0.04);
+          with_value(at_16, fabs(at_16.value - 1)), 0, 3e-5);
+    claim(c, "W11-1.wls-32", "the same at N = 32", with_value(at_32, fabs(at_32.value - 1)), 0,
+          3e-5);
+    const int boxes = measure_boxes(&files, &gaps, &overlaps);
+    claim(c, "W11-1.gimp-gaps", "GIMP's boxes leave gaps: part of the ring at 10 ms, N = 8",
+          measure(gaps, boxes, BOXES), 0.01, 0.04);
     claim(c, "W11-1.gimp-overlaps", "and overlap: part of the ring covered more than once",
-          overlaps, 0.003, 0.02);
+          measure(overlaps, boxes, BOXES), 0.003, 0.02);
     note_number(c, "cells", CELLS);
     note_number(c, "gaps", gaps);
     note_number(c, "overlaps", overlaps);
-    note_number(c, "error_fem", area_of(dir, "fem") / late - 1);
-    note_number(c, "error_wls2", area_of(dir, "wls2") / late - 1);
+    note_number(c, "error_fem", area_of(&files, "fem", late).value - 1);
+    note_number(c, "error_wls2", area_of(&files, "wls2", late).value - 1);
+    files_close(&files);
 }
 
 const Study study_w11_01_volumes = {
@@ -116,4 +125,5 @@ const Study study_w11_01_volumes = {
     .about = "how volume is divided: triangles, GIMP's particles, WLS's cut cells",
     .cases = cases,
     .check = check,
+    .claims = 4,
 };

@@ -1,14 +1,14 @@
 /* w11_09_plate_stress.c: von Mises stress of the plate with a hole at 0, 464 and 696 us, by WLS2
  * and by GIMP. Wallstedt and Guilkey (2011), fig. 9. */
 #include <math.h>
-#include "pages.h"
+#include "files.h"
 
 static const char name[] = "w11_09_plate_stress";
 static const char *const methods[] = {"wls2", "gimp"};
 static const struct {
     const char *time, *t_end;
 } shown[] = {{"0", "1e-12"}, {"464", "464e-6"}, {"696", "696e-6"}};
-enum { METHODS = 2, TIMES = 3 };
+enum { METHODS = 2, TIMES = 3, PARTICLES = 3000 };
 
 static void cases(Cases *list, bool quick)
 {
@@ -23,25 +23,28 @@ static void cases(Cases *list, bool quick)
 }
 
 /* Largest von Mises stress of one state [GPa]. */
-static double largest(const char *dir, const char *method, const char *time)
+static Measure largest_mises(const Files *files, const char *method, const char *time)
 {
     char part[64];
-    double most = 0;
+    Measure most = largest_of(PARTICLES);
     snprintf(part, sizeof part, "%s.%s", method, time);
-    Table *t = part_read(dir, name, part, NULL);
-    for (int k = 0; t && k < t->nrow; k++) most = fmax(most, table_number(t, k, "von_mises") / 1e9);
-    if (!t) most = NAN;
+    Table *t = file_read(files, part);
+    for (int k = 0; t && k < t->nrow; k++)
+        add_largest(&most, table_number(t, k, "von_mises") / 1e9);
     table_free(t);
     return most;
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
 {
+    Files files;
     (void)rows;
+    files_open(&files, dir, name);
     claim(c, "W11-9.rest", "at 0 us the plate is free of stress: largest [GPa]",
-          largest(dir, "wls2", "0"), 0, 1e-6);
+          largest_mises(&files, "wls2", "0"), 0, 1e-6);
     claim(c, "W11-9.growth", "WLS2: largest von Mises stress at 464 us over that at 696 us",
-          largest(dir, "wls2", "464") / largest(dir, "wls2", "696"), 0.5, 1);
+          over(largest_mises(&files, "wls2", "464"), largest_mises(&files, "wls2", "696")), 0.5, 1);
+    files_close(&files);
 }
 
 const Study study_w11_09_plate_stress = {
@@ -50,4 +53,5 @@ const Study study_w11_09_plate_stress = {
     .about = "plate with hole: von Mises stress at 0, 464 and 696 us",
     .cases = cases,
     .check = check,
+    .claims = 2,
 };

@@ -6,8 +6,8 @@
  * its mean of seven neighbours in angle. */
 #include <math.h>
 #include <string.h>
+#include "files.h"
 #include "hole.h"
-#include "pages.h"
 
 static const char name[] = "w11_10_hole_stress";
 static const int meshes[] = {16, 23, 32, 45, 64};
@@ -32,24 +32,29 @@ static void cases(Cases *list, bool quick)
 }
 
 /* The reference every degree along the hole. */
-static void write_truth(FILE *f, const HoleReference *r)
+static void write_truth(FILE *f, const char *dir, const HoleReference *r)
 {
-    fputs("angle,von_mises\n", f);
+    Files files;
+    files_open(&files, dir, name);
+    const char *status = file_status(&files, "reference");
+    files_close(&files);
+    fputs("angle,von_mises,status\n", f);
     for (int degree = 0; degree <= 90; degree++) {
         const double angle = degree * M_PI / 180;
-        fprintf(f, "%d,%.17g\n", degree, hole_reference_at(r, 0.5 * cos(angle), 0.5 * sin(angle)));
+        fprintf(f, "%d,%.17g,%s\n", degree,
+                hole_reference_at(r, 0.5 * cos(angle), 0.5 * sin(angle)), status);
     }
 }
 
 /* One run: its points along the hole into `points`, its numbers into `sums`. */
-static void write_run(FILE *points, FILE *sums, const char *dir, const char *method, int cells,
+static void write_run(FILE *points, FILE *sums, const Files *files, const char *method, int cells,
                       const HoleReference *r)
 {
     char path[PATH_TEXT], part[64];
     Rim rim;
     snprintf(part, sizeof part, "%s.%d", method, cells);
-    part_path(path, dir, name, part);
-    if (rim_read(&rim, path, cells, r, NULL)) return;
+    part_path(path, files->dir, name, part);
+    if (!file_kept(files, part) || rim_read(&rim, path, cells, r, NULL)) return;
     for (int k = 0; k < rim.n; k++)
         fprintf(points, "%s,%d,%.17g,%.17g,%.17g\n", method, cells, rim.angle[k], rim.stress[k],
                 rim.reference[k]);
@@ -58,27 +63,16 @@ static void write_run(FILE *points, FILE *sums, const char *dir, const char *met
     rim_free(&rim);
 }
 
-/* Did the run of this method and mesh reach the end? */
-static bool is_whole(const Table *rows, const char *method, int cells)
-{
-    for (int row = 0; rows && row < rows->nrow; row++)
-        if (strcmp(table_text(rows, row, "method"), method) == 0 &&
-            lround(table_number(rows, row, "cells")) == cells)
-            return !is_lost(rows, row);
-    return false;
-}
-
 static void write_runs(FILE *points, FILE *sums, const char *dir, const HoleReference *r)
 {
-    Table *rows = part_read(dir, name, NULL, NULL);
+    Files files;
+    files_open(&files, dir, name);
     fputs("method,cells,angle,von_mises,reference\n", points);
     fputs("method,cells,points,rms,scatter,displacement\n", sums);
     for (const Info *const *m = engine_2d.methods; *m; m++)
-        for (int k = 0; k < MESHES; k++)
-            if (is_whole(rows, (*m)->name, meshes[k]))
-                write_run(points, sums, dir, (*m)->name, meshes[k], r);
-    table_free(rows);
-    for (int k = 0; k < MESHES; k++) write_run(points, sums, dir, fem_nodes, meshes[k], r);
+        for (int k = 0; k < MESHES; k++) write_run(points, sums, &files, (*m)->name, meshes[k], r);
+    for (int k = 0; k < MESHES; k++) write_run(points, sums, &files, fem_nodes, meshes[k], r);
+    files_close(&files);
 }
 
 enum { TRUTH, RIM, SUMS, PARTS };
@@ -97,7 +91,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
         if (!code && !(f[k] = file_begin(path[k], fault))) code = FAULT_MACHINE;
     }
     if (!code) {
-        write_truth(f[TRUTH], &r);
+        write_truth(f[TRUTH], dir, &r);
         write_runs(f[RIM], f[SUMS], dir, &r);
     }
     for (int k = 0; k < PARTS; k++)
@@ -113,25 +107,22 @@ static int tables(const char *dir, bool quick, Fault *fault)
 static void check_reference(Check *c, const char *dir)
 {
     static const double known[] = {78.0, 57.7, 22.4, 10.9, 41.1, 67.6, 90.2, 108.4, 120.6, 125.0};
-    Curve truth = {0};
-    double worst = 0;
-    Table *t = part_read(dir, name, parts[TRUTH], NULL);
-    if (t) curve_pick(&truth, t, "angle", "von_mises", " ");
+    Curve truth;
+    Measure worst = largest_of(10);
+    Table *t = claim_part(c, dir, parts[TRUTH]);
+    curve_pick(&truth, t, "angle", "von_mises", " ");
     table_free(t);
-    for (int k = 0; k < 10; k++) {
-        const double away = fabs(curve_at(&truth, 10 * k) - known[k]);
-        if (!(away <= worst)) worst = away;
-        if (isnan(worst)) break;
-    }
+    for (int k = 0; k < 10; k++)
+        add_largest(&worst, fabs(curve_at(&truth, 10 * k).value - known[k]));
+    const Measure peak = curve_max(&truth, 91);
     claim(c, "W11-10.reference",
           "FEM, N = 256: ten values along the hole, largest difference [GPa]", worst, 0, 0.5);
-    claim(c, "W11-10.peak", "the reference's largest stress [GPa]", curve_max(&truth), 124.7,
-          125.3);
+    claim(c, "W11-10.peak", "the reference's largest stress [GPa]", peak, 124.7, 125.3);
     claim(c, "W11-10.peak-place", "which is at 90 degrees: the value there over it",
-          curve_at(&truth, 90) / curve_max(&truth), 1, 1);
+          with_value(peak, curve_at(&truth, 90).value / peak.value), 1, 1);
 }
 
-static double sum_of(const Table *sums, const char *want, const char *method, int cells)
+static Measure result(const Table *sums, const char *want, const char *method, int cells)
 {
     return value_pick(sums, want, "method=%s cells=%d", method, cells);
 }
@@ -148,43 +139,43 @@ static void check_moved(Check *c, const Table *sums)
         {"fem_nodes", "W11-10.moved-fem", "FEM: the same", 0.3619, 0.3639},
     };
     for (int k = 0; k < 4; k++)
-        claim(c, known[k].id, known[k].text, sum_of(sums, "displacement", known[k].method, 32),
+        claim(c, known[k].id, known[k].text, result(sums, "displacement", known[k].method, 32),
               known[k].low, known[k].high);
 }
 
 static void check_stress(Check *c, const Table *sums)
 {
     claim(c, "W11-10.rms-wls", "WLS, h = 1/32: rms difference from the reference [GPa]",
-          sum_of(sums, "rms", "wls", 32), 0, 5.5);
-    claim(c, "W11-10.rms-wls2", "WLS2: the same", sum_of(sums, "rms", "wls2", 32), 0, 4);
-    claim(c, "W11-10.rms-gimp", "GIMP: the same", sum_of(sums, "rms", "gimp", 32), 25, 100);
+          result(sums, "rms", "wls", 32), 0, 5.5);
+    claim(c, "W11-10.rms-wls2", "WLS2: the same", result(sums, "rms", "wls2", 32), 0, 4);
+    claim(c, "W11-10.rms-gimp", "GIMP: the same", result(sums, "rms", "gimp", 32), 25, 100);
     claim(c, "W11-10.near-fem", "WLS is nearly as accurate as FEM: rms difference over FEM's",
-          sum_of(sums, "rms", "wls", 32) / sum_of(sums, "rms", "fem", 32), 0, 1.5);
+          over(result(sums, "rms", "wls", 32), result(sums, "rms", "fem", 32)), 0, 1.5);
     claim(c, "W11-10.scatter", "GIMP has more scatter: its scatter over WLS2's, h = 1/32",
-          sum_of(sums, "scatter", "gimp", 32) / sum_of(sums, "scatter", "wls2", 32), 3, 100);
+          over(result(sums, "scatter", "gimp", 32), result(sums, "scatter", "wls2", 32)), 3, 100);
     claim(c, "W11-10.gimp-finer",
           "GIMP gets worse on finer meshes: rms difference at h = 1/64 over that at 1/16",
-          sum_of(sums, "rms", "gimp", 64) / sum_of(sums, "rms", "gimp", 16), 1, 100);
+          over(result(sums, "rms", "gimp", 64), result(sums, "rms", "gimp", 16)), 1, 100);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
 {
-    int whole = 0;
-    Table *sums = part_read(dir, name, parts[SUMS], NULL);
+    Table *sums = claim_part(c, dir, parts[SUMS]);
+    Measure whole = measure(0, 0, MESHES);
     check_reference(c, dir);
-    if (sums) {
-        check_moved(c, sums);
-        check_stress(c, sums);
-    }
-    for (int k = 0; k < MESHES; k++) whole += is_whole(rows, "wls2", meshes[k]);
+    check_moved(c, sums);
+    check_stress(c, sums);
+    for (int row = 0; row < rows->nrow; row++)
+        if (strcmp(table_text(rows, row, "method"), "wls2") == 0)
+            add_sum(&whole, !is_lost(rows, row));
     claim(c, "W11-10.whole", "WLS2 completes on every mesh, h = 1/16 to 1/64: of five", whole, 5,
           5);
-    for (const Info *const *m = engine_2d.methods; sums && *m; m++) {
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
         char note[64];
         snprintf(note, sizeof note, "rms_%s", (*m)->name);
-        note_number(c, note, sum_of(sums, "rms", (*m)->name, 32));
+        note_number(c, note, result(sums, "rms", (*m)->name, 32).value);
         snprintf(note, sizeof note, "scatter_%s", (*m)->name);
-        note_number(c, note, sum_of(sums, "scatter", (*m)->name, 32));
+        note_number(c, note, result(sums, "scatter", (*m)->name, 32).value);
     }
     table_free(sums);
 }
@@ -196,4 +187,5 @@ const Study study_w11_10_hole_stress = {
     .cases = cases,
     .tables = tables,
     .check = check,
+    .claims = 14,
 };

@@ -1,0 +1,83 @@
+/* files.c: see files.h. */
+#include "files.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "memory.h"
+
+static const Study *find(const char *name)
+{
+    const Study *const *s = studies;
+    while (*s && strcmp((*s)->name, name) != 0) s++;
+    return *s;
+}
+
+static bool is_row_of(const Table *rows, int row, const Case *c)
+{
+    return strcmp(table_text(rows, row, "problem"), c->spec.problem) == 0 &&
+           strcmp(table_text(rows, row, "method"), c->spec.method) == 0 &&
+           table_number(rows, row, "cells") == c->spec.cells;
+}
+
+/* Rows stand in the order of cases, those of methods that were not asked for left out. Returns how
+ * many rows found their case. */
+static int match(Files *f)
+{
+    int row = 0;
+    f->row = must(malloc(sizeof *f->row * ((size_t)f->cases.n + 1)));
+    for (int k = 0; k < f->cases.n; k++) {
+        const bool found =
+            f->rows && row < f->rows->nrow && is_row_of(f->rows, row, &f->cases.list[k]);
+        f->row[k] = found ? row++ : -1;
+    }
+    return row;
+}
+
+void files_open(Files *f, const char *dir, const char *name)
+{
+    const Study *study = find(name);
+    *f = (Files){.dir = dir, .name = name, .rows = part_read(dir, name, NULL, NULL)};
+    for (int quick = 0; study && quick < 2; quick++) {
+        cases_build(&f->cases, study, quick, NULL, dir, NULL);
+        const int matched = match(f);
+        if (quick || !f->rows || matched >= f->rows->nrow || study->refine) return;
+        cases_free(&f->cases);
+        free(f->row);
+    }
+}
+
+void files_close(Files *f)
+{
+    cases_free(&f->cases);
+    table_free(f->rows);
+    free(f->row);
+}
+
+bool path_kept(const Files *f, const char *path)
+{
+    bool kept = false;
+    for (int k = 0; k < f->cases.n; k++) {
+        const char *file = f->cases.list[k].file;
+        if (!file || strcmp(file, path) != 0) continue;
+        if (f->row[k] < 0 || is_lost(f->rows, f->row[k])) return false;
+        kept = true;
+    }
+    return kept;
+}
+
+bool file_kept(const Files *f, const char *part)
+{
+    char path[PATH_TEXT];
+    part_path(path, f->dir, f->name, part);
+    return path_kept(f, path);
+}
+
+const char *file_status(const Files *f, const char *part)
+{
+    return file_kept(f, part) ? "ok" : "lost";
+}
+
+Table *file_read(const Files *f, const char *part)
+{
+    return file_kept(f, part) ? part_read(f->dir, f->name, part, NULL) : NULL;
+}

@@ -1,0 +1,39 @@
+/* measure.h: a number with the rows of tables that it was taken from. A claim names how many rows
+ * it needs; with fewer, or with one row that has no number, it must not hold. */
+#ifndef MPMLAB_MEASURE_H
+#define MPMLAB_MEASURE_H
+
+typedef struct Measure {
+    double value; /* NAN as soon as one row has no number */
+    int rows;     /* rows that gave a number */
+    int needs;    /* rows that the claim names */
+} Measure;
+
+/* The larger of both; NAN if one is NAN, so that a maximum that met NAN once stays NAN. */
+double worse(double a, double b);
+double lesser(double a, double b); /* the smaller, likewise */
+
+Measure measure(double value, int rows, int needs);
+Measure closed_form(double value); /* of formulas alone: stands on no rows */
+
+/* The largest, least or sum over `needs` rows, before the first of them is added. */
+Measure largest_of(int needs);
+Measure least_of(int needs);
+Measure sum_of(int needs);
+
+/* One more row. */
+void add_largest(Measure *m, double x);
+void add_least(Measure *m, double x);
+void add_sum(Measure *m, double x);
+
+/* Of two measures; the result stands on the rows of both. */
+Measure over(Measure a, Measure b);
+Measure largest(Measure a, Measure b);
+Measure least(Measure a, Measure b);
+Measure sum(Measure a, Measure b);
+
+/* The same rows, another unit; or another function of the number. */
+Measure times(Measure m, double factor);
+Measure with_value(Measure m, double value);
+
+#endif
