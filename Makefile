@@ -103,7 +103,7 @@ $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
 	$(CC) $(CFLAGS) -c -o $@ $<
 
 $(BUILD)/tests/test_found.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/found"'
-$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files test_study test_found check) \
+$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files test_study test_trial trial test_found check) \
   $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 

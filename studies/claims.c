@@ -42,6 +42,7 @@ static void add(Check *check, const char *id, const char *statement, Verdict ver
     snprintf(c.reason, sizeof c.reason, "%s", reason);
     c.measured = isfinite(measured.value) ? measured.value : NAN;
     c.rows = measured.rows;
+    c.judged = measured.rows >= measured.needs && !isnan(measured.value);
     c.low = bounds[0];
     c.high = bounds[1];
     check->list = one_more(check->list, check->n, sizeof c);
@@ -99,6 +100,7 @@ static void fail_all(Check *check, int from)
 {
     for (Claim *c = check->list + from; c < check->list + check->n; c++) {
         c->verdict = FAIL;
+        c->judged = false;
         snprintf(c->reason, sizeof c->reason, "%s is not there or is no table", check->missing);
     }
 }

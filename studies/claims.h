@@ -10,7 +10,8 @@ typedef struct Claim {
     const Study *study;
     char id[64], statement[256], reason[256];
     double measured, low, high;
-    int rows; /* of tables, that it stands on */
+    int rows;    /* of tables, that it stands on */
+    bool judged; /* all its rows were there: the verdict is about the number */
     Verdict verdict;
 } Claim;
 

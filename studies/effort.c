@@ -37,6 +37,16 @@ static double work(const Table *t, int row)
     return points * (steps > 0 ? steps : 1);
 }
 
+/* Is it the same run once more, and did it, too, reach its end? */
+static bool is_repeat(const Table *t, int row, int other)
+{
+    static const char *const same[] = {"problem",    "method", "integrator", "layout",
+                                       "error_linf", "cells",  "ppc"};
+    for (size_t k = 0; k < sizeof same / sizeof *same; k++)
+        if (strcmp(table_text(t, row, same[k]), table_text(t, other, same[k])) != 0) return false;
+    return !is_lost(t, other);
+}
+
 static Effort point(const Table *t, int row, int repeats, const Table *bench)
 {
     Effort e = {.problem = table_text(t, row, "problem"),
@@ -50,11 +60,15 @@ static Effort point(const Table *t, int row, int repeats, const Table *bench)
                 .work = work(t, row)};
     double cpu[16];
     const int apart = t->nrow / repeats, n = repeats < 16 ? repeats : 16;
-    for (int k = 0; k < n; k++) cpu[k] = table_number(t, row + k * apart, "cpu_s");
+    bool whole = t->nrow % repeats == 0;
+    for (int k = 0; k < n; k++) {
+        cpu[k] = table_number(t, row + k * apart, "cpu_s");
+        whole = whole && cpu[k] > 0 && is_repeat(t, row, row + k * apart);
+    }
     e.median = median(n, cpu); /* sorts */
     e.cpu = cpu[0];
     e.instructions = e.work * instructions(bench, &e);
-    e.usable = !is_lost(t, row) && e.error > 0 && e.cpu > 0;
+    e.usable = whole && e.error > 0;
     return e;
 }
 

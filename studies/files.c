@@ -1,6 +1,7 @@
 /* files.c: see files.h. */
 #include "files.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "memory.h"
@@ -12,11 +13,34 @@ static const Study *find(const char *name)
     return *s;
 }
 
+/* Is every setting of the case in the row's params, as they are spelled there? */
+static bool has_settings(const char *params, const RunSpec *spec)
+{
+    for (int k = 0; k < spec->nset; k++) {
+        char text[80];
+        const int n = snprintf(text, sizeof text, "%s=%s", spec->set[k].name, spec->set[k].value);
+        if (strcmp(spec->set[k].name, "layout") == 0) continue;
+        if (strncmp(params, text, (size_t)n) != 0 || (params[n] && params[n] != ';')) return false;
+        params += n + (params[n] == ';');
+    }
+    return !*params;
+}
+
+static bool is_near(double a, double b)
+{
+    return fabs(a - b) <= 1e-9 * fabs(b);
+}
+
+/* Body-fitted particles are not quite as many as asked for. */
 static bool is_row_of(const Table *rows, int row, const Case *c)
 {
+    const double ppc = table_number(rows, row, "ppc"), t_end = table_number(rows, row, "t_end");
     return strcmp(table_text(rows, row, "problem"), c->spec.problem) == 0 &&
            strcmp(table_text(rows, row, "method"), c->spec.method) == 0 &&
-           table_number(rows, row, "cells") == c->spec.cells;
+           is_near(table_number(rows, row, "cells"), c->spec.cells) &&
+           (c->engine->dim > 1 || is_near(ppc, c->spec.ppc)) &&
+           (t_end <= 0 || is_near(t_end, c->spec.t_end)) &&
+           has_settings(table_text(rows, row, "params"), &c->spec);
 }
 
 /* Rows stand in the order of cases, those of methods that were not asked for left out. Returns how

@@ -88,7 +88,7 @@ static Left left(const Table *t, const char *methods, int first, int variant)
     return out;
 }
 
-/* The most that is left at the end, or was when the run was lost. */
+/* The most that is left at the end, or to which it had grown when the run was lost. */
 static Measure last_left(const Table *t, const char *methods, int variant)
 {
     Measure out = largest_of(0);
@@ -102,6 +102,9 @@ static Measure last_left(const Table *t, const char *methods, int variant)
                                               dim, variants[variant].name, shown[k]);
                 if (at.rows) last = at;
             }
+            const Measure kept = value_pick(t, "kept", "method=%s dim=%d variant=%s", m, dim,
+                                            variants[variant].name);
+            if (!kept.rows && !(last.value > 1.1)) last = measure(NAN, 0, 1);
             out = largest(out, last);
         }
     return out;

@@ -16,7 +16,7 @@
 #include "stability.h"
 
 static const char name[] = "t_04_stability";
-enum { STALE = 20 }; /* lines of pairs with a stale gradient */
+enum { STALE = 16 }; /* lines of pairs with a stale gradient */
 
 /* Slow runs are rationed: what the figure shows, the default integrators, gets the finest mesh and
  * the lowest rung; the others get there where the next rung fails. Refused pairs run at one PPC. */

@@ -37,6 +37,7 @@ static void write_instant(FILE *f, const Table *particles, double t, const char 
 {
     for (int s = 1; s <= STATIONS; s++) {
         int row = (int)ceil(s * PARTICLES / (double)STATIONS) - 1;
+        if (row >= particles->nrow) return;
         double X = table_number(particles, row, "X"), x = table_number(particles, row, "x");
         fprintf(f, "%d,%.17g,%.17g,%.17g,%.17g,%s\n", s, X, t, x - X, exact(X, t), status);
     }

@@ -60,7 +60,7 @@ static Measure count_lost(const Table *rows, int method, double periods, double 
         if (!is_asked(rows, row, method, periods)) continue;
         const double end =
             table_number(rows, row, "steps") * table_number(rows, row, "dt") / period;
-        const bool early = is_lost(rows, row) && !(end >= until);
+        const bool early = is_lost(rows, row) && (until >= periods || !(end >= until));
         const double error = isinf(limit) || early ? 0 : table_number(rows, row, "error_linf");
         add_sum(&lost, isnan(error) ? NAN : early || error > limit);
     }

@@ -6,7 +6,7 @@
 #include "files.h"
 #include "memory.h"
 
-enum { PARTICLES = 2500 }; /* the quarter ring at 32 cells has 4 to each of some 640 */
+enum { PARTICLES = 2000 }; /* of some 2400 in the quarter ring at 32 cells */
 
 /* At t = 0 the run takes one step of 1 ns, so that the state is the initial one. */
 static const char *const time_ms[] = {"0", "5", "10"}, *const t_end[] = {"1e-9", "0.005", "0.01"};

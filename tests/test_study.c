@@ -29,32 +29,35 @@ static void check(Check *c, const Table *rows, const char *folder)
     double steps[4];
     CHECK_TEXT(folder, dir);
     claim(c, "T.rows", "a repeated case is a row each time",
-          rows_pick(rows, 2, where, "steps", 4, steps), 2, 2);
-    claim(c, "T.fails", "out of bounds", 3, 0, 2);
-    claim(c, "T.nan", "not there", NAN, -INFINITY, INFINITY);
-    claim_differs(c, "T.holds", "holds", 1, 0, 2, 5, 6, "reason");
-    claim_differs(c, "T.differs", "as seen", 5.5, 0, 2, 5, 6, "reason");
-    claim_differs(c, "T.neither", "neither", 4, 0, 2, 5, 6, "reason");
-    claim_differs(c, "T.nan-too", "not there", NAN, 0, 2, 5, 6, "reason");
+          measure(rows_pick(rows, 2, where, "steps", 4, steps), 2, 2), 2, 2);
+    claim(c, "T.fails", "out of bounds", measure(3, 1, 1), 0, 2);
+    claim(c, "T.nan", "not there", measure(NAN, 1, 1), -INFINITY, INFINITY);
+    claim_differs(c, "T.holds", "holds", measure(1, 3, 2), 0, 2, 5, 6, "reason");
+    claim_differs(c, "T.differs", "as seen", measure(5.5, 1, 1), 0, 2, 5, 6, "reason");
+    claim_differs(c, "T.neither", "neither", measure(4, 1, 1), 0, 2, 5, 6, "reason");
+    claim_differs(c, "T.nan-too", "not there", measure(NAN, 1, 1), 0, 2, 5, 6, "reason");
+    claim(c, "T.few", "within bounds, on too few rows", measure(1, 1, 2), 0, 2);
     note_number(c, "a-note", .1);
 }
 
 static const Study tiny = {
-    .name = "tiny", .figure = "T", .about = "a test", .cases = cases, .check = check};
+    .name = "tiny", .figure = "T", .about = "a test", .cases = cases, .check = check, .claims = 8};
 
 static const StudyOptions options = {.dir = dir, .jobs = 2};
 
 static void test_verdicts(void)
 {
-    static const Verdict expected[] = {PASS, FAIL, FAIL, PASS, DIFFERS, FAIL, FAIL};
+    static const Verdict expected[] = {PASS, FAIL, FAIL, PASS, DIFFERS, FAIL, FAIL, FAIL};
     Check c = {0};
     Fault f;
     CU_ASSERT_FATAL(study_run(&tiny, &options, &f) == 0);
     CU_ASSERT_FATAL(check_study(&c, &tiny, dir, &f) == 0);
-    CU_ASSERT_FATAL(c.n == 7);
+    CU_ASSERT_FATAL(c.n == 8);
     for (int k = 0; k < c.n; k++) CU_ASSERT(c.list[k].verdict == expected[k]);
     CHECK_TEXT(c.list[4].reason, "reason");
     CU_ASSERT(strlen(c.list[2].reason) > 0);
+    CHECK_TEXT(c.list[7].reason, "the tables have numbers in 1 rows, the claim needs 2");
+    CU_ASSERT(c.list[3].rows == 3 && c.list[7].rows == 1 && c.list[7].judged == false);
     free(c.list);
 }
 
@@ -171,17 +174,76 @@ static void test_curves(void)
     Curve c;
     curve_pick(&c, t, "x", "y", "m=%s", "a");
     CU_ASSERT(c.n == 3);
-    CHECK_CLOSE(curve_at(&c, 2), 2, 0);
-    CU_ASSERT(isnan(curve_at(&c, 3)));
-    CHECK_CLOSE(curve_max(&c), 8.4, 0);
-    CHECK_CLOSE(curve_settles(&c, 2), 2, 0);
-    CHECK_CLOSE(curve_settles(&c, 10), 1, 0);
-    CU_ASSERT(isnan(curve_settles(&c, 0.5)));
-    CHECK_CLOSE(curve_deviation(&c, 3, printed), 0.1, 1e-15); /* .05, .2 half, 0 */
-    CU_ASSERT(isnan(curve_deviation(&c, 2, absent)));
-    CHECK_CLOSE(value_pick(t, "y", "m=b x=%d", 2), 99, 0);
-    CU_ASSERT(isnan(value_pick(t, "y", "m=c")));
+    CHECK_CLOSE(curve_at(&c, 2).value, 2, 0);
+    CU_ASSERT(isnan(curve_at(&c, 3).value) && curve_at(&c, 3).rows == 0);
+    CHECK_CLOSE(curve_max(&c, 3).value, 8.4, 0);
+    CHECK_CLOSE(curve_settles(&c, 2, 3).value, 2, 0);
+    CHECK_CLOSE(curve_settles(&c, 10, 3).value, 1, 0);
+    CU_ASSERT(isnan(curve_settles(&c, 0.5, 3).value));
+    CHECK_CLOSE(curve_deviation(&c, 3, printed).value, 0.1, 1e-15); /* .05, .2 half, 0 */
+    CU_ASSERT(isnan(curve_deviation(&c, 2, absent).value));
+    CU_ASSERT(curve_deviation(&c, 2, absent).rows == 1);
+    CHECK_CLOSE(value_pick(t, "y", "m=b x=%d", 2).value, 99, 0);
+    CU_ASSERT(isnan(value_pick(t, "y", "m=c").value) && value_pick(t, "y", "m=c").rows == 0);
     table_free(t);
+}
+
+/* Once met, NAN stays, wherever it comes; rows count once. */
+static void test_measures(void)
+{
+    for (int bad = 0; bad < 3; bad++) {
+        Measure most = largest_of(3), low = least_of(3), all = sum_of(3);
+        for (int k = 0; k < 3; k++) {
+            add_largest(&most, k == bad ? (double)NAN : k);
+            add_least(&low, k == bad ? (double)NAN : k);
+            add_sum(&all, k == bad ? (double)NAN : k);
+        }
+        CU_ASSERT(isnan(most.value) && isnan(low.value) && isnan(all.value));
+        CU_ASSERT(most.rows == 2 && low.rows == 2 && all.rows == 2 && most.needs == 3);
+    }
+    CHECK_CLOSE(worse(1, 2), 2, 0);
+    CHECK_CLOSE(lesser(1, 2), 1, 0);
+    CU_ASSERT(isnan(worse(NAN, 1)) && isnan(worse(1, NAN)) && isnan(lesser(NAN, 1)));
+    const Measure many = measure(6, 9, 2), few = measure(3, 1, 2), ratio = over(many, few);
+    CHECK_CLOSE(ratio.value, 2, 0);
+    CU_ASSERT(ratio.rows == 3 && ratio.needs == 4); /* too many here are no help there */
+    CU_ASSERT(sum(many, many).rows == 18 && closed_form(1).needs == 0);
+}
+
+/* An order is over all meshes that it names, or none. */
+static void test_orders(void)
+{
+    Curve c = {.n = 4, .x = {1, 2, 4, 8}, .y = {1, 4, 16, 64}};
+    CHECK_CLOSE(curve_order(&c, 1, 8, 4).value, 2, 1e-14);
+    CU_ASSERT(curve_order(&c, 2, 8, 3).rows == 3);
+    c.y[2] = NAN;
+    CU_ASSERT(isnan(curve_order(&c, 1, 8, 4).value) && curve_order(&c, 1, 8, 4).rows == 3);
+    CHECK_CLOSE(curve_order(&c, 1, 2, 2).value, 2, 1e-14);
+    c.y[2] = 0;
+    CU_ASSERT(isnan(curve_order(&c, 1, 8, 4).value));
+}
+
+static void one_claim(Check *c, const Table *rows, const char *folder)
+{
+    (void)rows;
+    table_free(claim_part(c, folder, "absent"));
+    claim(c, "T.one", "stands on nothing of the sort", measure(1, 1, 1), 0, 2);
+}
+
+/* A page whose table is missing still makes its claims; one that makes others than it declares is
+ * a fault. */
+static void test_declared(void)
+{
+    Study page = {.name = "tiny", .figure = "T", .about = "", .check = one_claim, .claims = 1};
+    Check c = {0};
+    Fault f = {0};
+    CU_ASSERT_FATAL(check_study(&c, &page, dir, &f) == 0 && c.n == 1);
+    CU_ASSERT(c.list[0].verdict == FAIL);
+    CU_ASSERT_PTR_NOT_NULL(strstr(c.list[0].reason, "tiny.absent.csv"));
+    page.claims = 2;
+    CU_ASSERT(check_study(&c, &page, dir, &f) == FAULT_MACHINE);
+    CU_ASSERT_PTR_NOT_NULL(strstr(f.text, "makes 1 claims, declares 2"));
+    free(c.list);
 }
 
 static void test_median(void)
@@ -230,6 +292,9 @@ const TestCase study_tests[] = {
     {"cases that rows ask for", test_refine},
     {"a wrong page is a fault", test_wrong_pages},
     {"curves out of tables", test_curves},
+    {"numbers with their rows", test_measures},
+    {"orders over all meshes", test_orders},
+    {"claims that a page declares", test_declared},
     {"medians", test_median},
     {"lost runs", test_lost},
     {"the squeeze's cases", test_squeezes},

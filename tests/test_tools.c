@@ -190,7 +190,7 @@ static const TestCase tools_tests[] = {
     {NULL, NULL},
 };
 
-extern const TestCase files_tests[], study_tests[], found_tests[];
+extern const TestCase files_tests[], study_tests[], trial_tests[], found_tests[];
 
 int main(void)
 {
@@ -198,6 +198,7 @@ int main(void)
                                 {"files", files_tests},
                                 {"study", study_tests},
                                 {"found by the fuzzers", found_tests},
+                                {"claims on trial", trial_tests},
                                 {NULL, NULL}};
     return check_run(suites);
 }
