@@ -89,11 +89,16 @@ bool path_kept(const Files *f, const char *path)
     return kept;
 }
 
+bool file_path(const Files *f, const char *part, char path[PATH_TEXT])
+{
+    part_path(path, f->dir, f->name, part);
+    return path_kept(f, path);
+}
+
 bool file_kept(const Files *f, const char *part)
 {
     char path[PATH_TEXT];
-    part_path(path, f->dir, f->name, part);
-    return path_kept(f, path);
+    return file_path(f, part, path);
 }
 
 const char *file_status(const Files *f, const char *part)

@@ -19,6 +19,7 @@ void files_close(Files *f);
 
 /* Is dir/NAME.PART.csv (or the file `path`) of a run that reached its end? */
 bool file_kept(const Files *f, const char *part);
+bool file_path(const Files *f, const char *part, char path[PATH_TEXT]); /* gives its path, too */
 bool path_kept(const Files *f, const char *path);
 
 /* "ok" or "lost", for a table's column `status`. */

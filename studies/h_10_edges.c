@@ -70,11 +70,10 @@ static int tables(const char *dir, bool quick, Fault *fault)
 /* Of all rows, as many as cases() asks for. */
 static Measure lost(const Table *rows)
 {
-    Measure n = sum_of(0);
+    int runs = 0;
     for (const Info *const *m = engine_2d.methods; *m; m++)
-        n.needs += has_grid(&engine_2d, (*m)->name) ? BODIES * MESHES : 0;
-    for (int row = 0; row < rows->nrow; row++) add_sum(&n, is_lost(rows, row));
-    return n;
+        runs += has_grid(&engine_2d, (*m)->name) ? BODIES * MESHES : 0;
+    return count_lost(rows, runs, "");
 }
 
 /* Of the block, over all meshes. */

@@ -122,3 +122,17 @@ double rim_scatter(const Rim *rim)
     }
     return sqrt(sum / rim->n);
 }
+
+void rim_measure(const char *reference, int fine, const char *path, int cells, Measure *rms,
+                 Measure *scatter)
+{
+    HoleReference r;
+    Rim rim;
+    if (hole_reference_read(&r, reference, fine, NULL)) return;
+    if (rim_read(&rim, path, cells, &r, NULL) == 0) {
+        *rms = measure(rim_rms(&rim), rim.n, rms->needs);
+        *scatter = measure(rim_scatter(&rim), rim.n, scatter->needs);
+        rim_free(&rim);
+    }
+    hole_reference_free(&r);
+}

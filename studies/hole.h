@@ -34,4 +34,9 @@ void rim_free(Rim *rim);
 double rim_rms(const Rim *rim);     /* of stress less reference */
 double rim_scatter(const Rim *rim); /* rms of that about its mean of seven neighbours in angle */
 
+/* Both of a run of `cells` against the reference of `fine`, into measures that know how many points
+ * they need. */
+void rim_measure(const char *reference, int fine, const char *path, int cells, Measure *rms,
+                 Measure *scatter);
+
 #endif

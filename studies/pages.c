@@ -156,6 +156,18 @@ bool is_lost(const Table *rows, int row)
     return strcmp(status, "ok") != 0 && strcmp(status, "energy_growth") != 0;
 }
 
+Measure count_lost(const Table *rows, int needs, const char *where)
+{
+    const char *conditions[MOST_CONDITIONS];
+    char text[WHERE_TEXT];
+    Measure lost = sum_of(needs);
+    snprintf(text, sizeof text, "%s", where);
+    const int n = split(text, conditions);
+    for (int row = 0; row < rows->nrow; row++)
+        if (row_matches(rows, row, n, conditions)) add_sum(&lost, is_lost(rows, row));
+    return lost;
+}
+
 double kept_number(const Table *rows, int row, const char *want)
 {
     if (table_column(rows, "status") >= 0 && is_lost(rows, row)) return NAN;

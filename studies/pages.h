@@ -51,6 +51,9 @@ double median(int n, double y[]);
 /* Did the run of this row end before its time? Energy growth alone does not end one. */
 bool is_lost(const Table *rows, int row);
 
+/* How many runs of those rows were lost, of `needs` that there must be. */
+Measure count_lost(const Table *rows, int needs, const char *where);
+
 /* A number of a row; NAN if its run was lost (tables without a column `status` know of none). */
 double kept_number(const Table *rows, int row, const char *want);
 

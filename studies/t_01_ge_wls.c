@@ -125,25 +125,22 @@ static int tables(const char *dir, bool quick, Fault *fault)
             for (int k = 0; k < MESHES; k++) {
                 static const char *const problem[] = {"ring", "axis_mms", "vortex"};
                 const bool other = what == PARTS;
-                const double error =
-                    value_of(rows, problem[p], other ? "wls2" : "ge_wls", cells[k],
-                             other ? NULL : setting_without(what, text), "error_linf")
+                const char *method = other ? "wls2" : "ge_wls";
+                const char *set = other ? NULL : setting_without(what, text);
+                const double share =
+                    over(value_of(rows, problem[p], method, cells[k], set, "error_linf"),
+                         value_of(rows, problem[p], "fem", cells[k], NULL, "error_linf"))
                         .value;
-                const double fem =
-                    value_of(rows, problem[p], "fem", cells[k], NULL, "error_linf").value;
-                if (!isnan(error / fem))
-                    fprintf(f, "%s,%s,%d,%.17g\n", problem[p],
-                            other      ? "wls2"
-                            : what < 0 ? "ge_wls"
-                                       : parts[what].setting,
-                            cells[k], error / fem);
+                const char *label = other || what < 0 ? method : parts[what].setting;
+                if (!isnan(share))
+                    fprintf(f, "%s,%s,%d,%.17g\n", problem[p], label, cells[k], share);
             }
     table_free(rows);
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
 /* Of ge_wls over FEM on one mesh. */
-static Measure share(const Table *rows, const char *problem, const char *norm, int n)
+static Measure share_of(const Table *rows, const char *problem, const char *norm, int n)
 {
     return over(value_of(rows, problem, "ge_wls", n, NULL, norm),
                 value_of(rows, problem, "fem", n, NULL, norm));
@@ -155,7 +152,7 @@ static Measure worst_share(const Table *rows, const char *norm, int from, int to
     Measure worst = largest_of(0);
     for (int k = 0; k < MESHES; k++)
         if (cells[k] >= from && cells[k] <= to)
-            worst = largest(worst, share(rows, "ring", norm, cells[k]));
+            worst = largest(worst, share_of(rows, "ring", norm, cells[k]));
     return worst;
 }
 
@@ -199,22 +196,11 @@ static Measure offsets(const Table *rows, const char *method, double *sd)
 /* Largest error of ge_wls at any time step over FEM's at the least. */
 static Measure worst_step(const Table *rows)
 {
-    Measure worst = largest_of(STEPS);
+    static const char where[] = "problem=ring method=%s cells=32 cfl=%.17g";
+    Measure worst = largest_of(0);
     for (int k = 0; k < STEPS; k++)
-        add_largest(&worst, value_pick(rows, "error_linf",
-                                       "problem=ring method=ge_wls cells=32 cfl=%.17g", cfl[k])
-                                .value);
-    return over(worst, value_pick(rows, "error_linf", "problem=ring method=fem cells=32 cfl=0.05"));
-}
-
-/* Of all rows of ge_wls, as many as cases() asks for. */
-static Measure count_lost(const Table *rows)
-{
-    Measure lost = sum_of(RUNS);
-    for (int row = 0; row < rows->nrow; row++)
-        if (strcmp(table_text(rows, row, "method"), rivals[0]) == 0)
-            add_sum(&lost, is_lost(rows, row));
-    return lost;
+        worst = largest(worst, value_pick(rows, "error_linf", where, "ge_wls", cfl[k]));
+    return over(worst, value_pick(rows, "error_linf", where, "fem", cfl[0]));
 }
 
 static void check_doubts(Check *c, const Table *rows)
@@ -227,11 +213,11 @@ static void check_doubts(Check *c, const Table *rows)
     claim(c, "T-1b.cfl", "CFL .05 to .8, N = 32: largest error over FEM's at CFL .05",
           worst_step(rows), 0, 1);
     claim(c, "T-1b.lost", "runs of ge_wls lost, of all here, parts removed included",
-          count_lost(rows), 0, 0);
+          count_lost(rows, RUNS, "method=ge_wls"), 0, 0);
     claim(c, "T-1b.vortex", "generalized vortex, G = .2, N = 32: largest error over FEM's",
-          share(rows, "vortex", "error_linf", 32), 0, 1);
+          share_of(rows, "vortex", "error_linf", 32), 0, 1);
     claim_differs(c, "T-1b.axis", "axis-aligned displacement, N = 32: largest error over FEM's",
-                  share(rows, "axis_mms", "error_linf", 32), 0, 1, 1, 2,
+                  share_of(rows, "axis_mms", "error_linf", 32), 0, 1, 1, 2,
                   "a body without free surface: what the fits filter inside is mended to second "
                   "order only");
 }
@@ -263,48 +249,28 @@ static void check_parts(Check *c, const Table *rows)
 static Measure disk_energy(const Files *files, double t, bool most)
 {
     Measure out = largest_of(INSTANTS);
-    double last = NAN, now = 0;
+    double last = NAN;
     Table *h = file_read(files, "disk.-1");
-    for (int k = 0; h && k < h->nrow && now <= t; k++) {
-        const double e = table_number(h, k, "total") / table_number(h, 0, "total");
-        now = table_number(h, k, "t");
-        if (!(now <= t)) break;
-        add_largest(&out, e);
-        last = e;
+    for (int k = 0; h && k < h->nrow && table_number(h, k, "t") <= t; k++) {
+        last = table_number(h, k, "total") / table_number(h, 0, "total");
+        add_largest(&out, last);
     }
     table_free(h);
     return most || isnan(out.value) ? out : with_value(out, last);
 }
 
-/* Stress along the hole against the reference [GPa], and its scatter. */
-static void measure_plate(const Files *files, Measure *rms, Measure *scatter)
-{
-    HoleReference r;
-    Rim rim;
-    char path[PATH_TEXT], plate[PATH_TEXT];
-    *rms = *scatter = sum_of(RIM);
-    part_path(path, files->dir, name, "reference");
-    part_path(plate, files->dir, name, "plate.-1");
-    if (!path_kept(files, path) || !path_kept(files, plate)) return;
-    if (hole_reference_read(&r, path, 256, NULL)) return;
-    if (rim_read(&rim, plate, 32, &r, NULL) == 0) {
-        *rms = measure(rim_rms(&rim), rim.n, RIM);
-        *scatter = measure(rim_scatter(&rim), rim.n, RIM);
-        rim_free(&rim);
-    }
-    hole_reference_free(&r);
-}
-
 static void check_scenes(Check *c, const char *dir)
 {
-    Measure rms, scatter;
+    Measure rms = sum_of(RIM), scatter = sum_of(RIM);
+    char path[2][PATH_TEXT];
     Files files;
     files_open(&files, dir, name);
     claim(c, "T-1b.disk", "disk: energy over E0 at t = 2.3", disk_energy(&files, 2.3, false), 0.98,
           1.005);
     claim(c, "T-1b.disk-late", "and at t = 4", disk_energy(&files, late, false), 0.91, 1.005);
     claim(c, "T-1b.disk-most", "its largest ever", disk_energy(&files, late, true), 0.99, 1.005);
-    measure_plate(&files, &rms, &scatter);
+    if (file_path(&files, "reference", path[0]) && file_path(&files, "plate.-1", path[1]))
+        rim_measure(path[0], 256, path[1], 32, &rms, &scatter);
     files_close(&files);
     claim(c, "T-1b.plate", "plate, h = 1/32: rms difference of stress from the reference [GPa]",
           rms, 0, 2.2);

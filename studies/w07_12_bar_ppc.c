@@ -53,7 +53,7 @@ static bool is_asked(const Table *rows, int row, int method, double periods)
 
 /* Of the runs that were to last for so many periods: how many ended before `until` of them, or,
  * with a limit on the error, ended or got worse than that. */
-static Measure count_lost(const Table *rows, int method, double periods, double until, double limit)
+static Measure lost_by(const Table *rows, int method, double periods, double until, double limit)
 {
     Measure lost = sum_of(fabs(periods - 5) < 0.1 ? CENSUS : RUNS);
     for (int row = 0; row < rows->nrow; row++) {
@@ -73,7 +73,7 @@ static void write_census(FILE *f, const Table *rows)
     fputs("method,periods,lost,runs\n", f);
     for (int m = 0; m < METHODS; m++)
         for (int k = 0; k <= 100; k++) {
-            const Measure lost = count_lost(rows, m, 5, 0.05 * k, INFINITY);
+            const Measure lost = lost_by(rows, m, 5, 0.05 * k, INFINITY);
             fprintf(f, "%s,%.17g,%g,%d\n", methods[m], 0.05 * k, lost.value, lost.rows);
         }
 }
@@ -139,16 +139,16 @@ static Measure order(const Table *rows, int method, const char *error)
 static void check_losses(Check *c, const Table *rows)
 {
     claim(c, "W07-12.mpm-lost-2", "a few MPM runs crash: lost by two periods, of 45",
-          count_lost(rows, MPM, 5, 2, INFINITY), 1, 6);
+          lost_by(rows, MPM, 5, 2, INFINITY), 1, 6);
     claim(c, "W07-12.mpm-lost-5", "MPM runs lost by five periods, of 45",
-          count_lost(rows, MPM, 5, 5, INFINITY), 14, 28);
+          lost_by(rows, MPM, 5, 5, INFINITY), 14, 28);
     claim(c, "W07-12.gimp-lost", "no GIMP run is lost in five periods",
-          count_lost(rows, GIMP, 5, 5, INFINITY), 0, 0);
+          lost_by(rows, GIMP, 5, 5, INFINITY), 0, 0);
     claim(c, "W07-12.ge-gimp-lost", "no GE-GIMP run is lost in five periods",
-          count_lost(rows, GE_GIMP, 5, 5, INFINITY), 0, 0);
+          lost_by(rows, GE_GIMP, 5, 5, INFINITY), 0, 0);
     claim(c, "W07-12.ge-mpm-unstable",
           "GE-MPM is pathologically unstable: share lost, or wrong by 0.2, by two periods",
-          times(count_lost(rows, GE_MPM, 2, 2, 0.2), 1.0 / RUNS), 0.8, 1);
+          times(lost_by(rows, GE_MPM, 2, 2, 0.2), 1.0 / RUNS), 0.8, 1);
 }
 
 static void check_forty_percent(Check *c, const Table *rows)
