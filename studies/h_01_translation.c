@@ -207,7 +207,6 @@ static void check(Check *c, const Table *rows, const char *dir)
 {
     Table *t = claim_part(c, dir, "force");
     const double share = 2 * STRETCH / PER_CELL;
-    (void)rows;
     claim(c, "H1.nodes", "nodes of the bar's coarsest mesh, each at another offset",
           value_pick(t, "nodes", "method=mpm kind=bar cells=%d", kinds[0].cells[0]), 200, 1000);
     claim(
@@ -225,8 +224,14 @@ static void check(Check *c, const Table *rows, const char *dir)
     claim(c, "H1.gimp-turned",
           "turned by 30 degrees they do not tile it, on any mesh: least of the forces",
           value_pick(t, "largest", "method=gimp kind=turned cells=%d", kinds[2].cells[2]), 1e-3, 1);
-    claim(c, "H1.wls", "WLS: no force, turned or not",
-          worst_of(t, "wls wls2", KINDS * MESHES, "largest", ""), 0, NOTHING);
+    claim(c, "H1.wls", "WLS in the plane and WLS2: no force, turned or not",
+          largest(worst_of(t, "wls2", KINDS * MESHES, "largest", ""),
+                  largest(worst_of(t, "wls", MESHES, "largest", "kind=stretch"),
+                          worst_of(t, "wls", MESHES, "largest", "kind=turned"))),
+          0, NOTHING);
+    claim_differs(c, "H1.wls-bar", "WLS, the bar's coarsest mesh: runs lost, of four offsets",
+                  count_lost(rows, OFFSETS, "method=wls cells=64"), 0, 0, 1, 1,
+                  "at one offset (.28 cells) a surface particle inverts in the first step");
     table_free(t);
 }
 
@@ -237,5 +242,5 @@ const Study study_h_01_translation = {
     .cases = cases,
     .tables = tables,
     .check = check,
-    .claims = 6,
+    .claims = 7,
 };

@@ -23,6 +23,7 @@ static const char *const no_table[] = {"W11-2.masks", NULL};
 static const char *const none_lost[] = {"W07-12.gimp-lost",
                                         "W07-12.ge-gimp-lost",
                                         "W11-10.whole",
+                                        "H1.wls-bar",
                                         "T-1b.lost",
                                         "T-5.plane-gimp",
                                         "H7.gimp",
