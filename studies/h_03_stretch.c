@@ -213,9 +213,10 @@ static void check(Check *c, const Table *rows, const char *dir)
     claim(c, "H3.carried",
           "nor any method whose particles tell the grid their gradients: error of stress at 4",
           worst_of(t, "ge_mpm ge_gimp apic tpic", KINDS, "error", "variant=usual"), 0, WRONG);
+    /* The force is of a run of its own: the status of the stretched one does not matter. */
     claim(c, "H3.pieces",
           "but tents leave the bar in pieces, gradients or not: force at 4 over sigma A F/n, n = 1",
-          times(value_pick(t, "force", "method=ge_mpm kind=bar1"), 1 / MOST), 0.99, 1.01);
+          times(ended_pick(t, "force", "method=ge_mpm kind=bar1"), 1 / MOST), 0.99, 1.01);
     claim(c, "H3.gimp-carries", "GIMP and GE-GIMP carry the force: largest inside, over sigma A",
           worst_of(t, "gimp ge_gimp", 1, "force", "kind=bar1 variant=usual"), 0, WRONG);
     const Measure wls2 = onset(t, "wls2", 0, "usual");
