@@ -77,16 +77,22 @@ void files_close(Files *f)
     free(f->row);
 }
 
-bool path_kept(const Files *f, const char *path)
+static const char *path_status(const Files *f, const char *path)
 {
-    bool kept = false;
+    const char *status = "absent";
     for (int k = 0; k < f->cases.n; k++) {
         const char *file = f->cases.list[k].file;
         if (!file || strcmp(file, path) != 0) continue;
-        if (f->row[k] < 0 || is_lost(f->rows, f->row[k])) return false;
-        kept = true;
+        if (f->row[k] < 0) return "absent";
+        if (is_lost(f->rows, f->row[k])) return "lost";
+        status = "ok";
     }
-    return kept;
+    return status;
+}
+
+bool path_kept(const Files *f, const char *path)
+{
+    return strcmp(path_status(f, path), "ok") == 0;
 }
 
 bool file_path(const Files *f, const char *part, char path[PATH_TEXT])
@@ -103,7 +109,9 @@ bool file_kept(const Files *f, const char *part)
 
 const char *file_status(const Files *f, const char *part)
 {
-    return file_kept(f, part) ? "ok" : "lost";
+    char path[PATH_TEXT];
+    part_path(path, f->dir, f->name, part);
+    return path_status(f, path);
 }
 
 Table *file_read(const Files *f, const char *part)

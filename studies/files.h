@@ -22,7 +22,7 @@ bool file_kept(const Files *f, const char *part);
 bool file_path(const Files *f, const char *part, char path[PATH_TEXT]); /* gives its path, too */
 bool path_kept(const Files *f, const char *path);
 
-/* "ok" or "lost", for a table's column `status`. */
+/* "ok", "lost" or, of a run that is not in the table, "absent": for a column `status`. */
 const char *file_status(const Files *f, const char *part);
 
 /* The file of such a run; NULL of any other. */

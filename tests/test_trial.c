@@ -55,6 +55,7 @@ static const char *const some_lost[] = {"W07-12.mpm-lost-2",
                                         "H-15.vortex-gimp",
                                         "H-15.bar-gimp",
                                         "T-2.",
+                                        "H3.pieces",
                                         "T-4.",
                                         "H5.",
                                         NULL};
