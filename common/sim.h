@@ -125,6 +125,10 @@ void grid_wall_images(
     Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */
 bool grid_is_ghost_row(const Grid *g, int row, int above); /* of a mirror across an axis > above */
 
+/* Which components unilateral walls hold at node i of a row, whose p and f are those of the equations
+ * of motion over dt [s]; solve.c. */
+unsigned grid_stops(const Grid *g, int row, int i, double dt);
+
 /* Node number of grid index `index`, or of its image if it lies beyond a symmetry line: then
  * sign[a] is the parity of component a, else 1. NOWHERE outside the live nodes. */
 #define NOWHERE ((size_t)-1)
