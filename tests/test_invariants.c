@@ -128,7 +128,7 @@ static void mirror_fields(double *const field[FIELDS], int n, int axis, double w
 
 /* Sums run backwards: round-off alone, a few ulp a step. The scale of L is that of its terms, v/h,
  * of moments v h. */
-static void check_mirror(Rig *r)
+static void mirror_both(Rig *r, int steps)
 {
     const double width = r->plan.scene.hi[0];
     const Method *method = r->plan.setup.method;
@@ -137,7 +137,7 @@ static void check_mirror(Rig *r)
         const int n = plain->p.count;
         double *field[FIELDS];
         mirror_fields(turned->p.field, n, axis, width);
-        CU_ASSERT_FATAL(rig_steps(r, plain, 0, 5) && rig_steps(r, turned, 0, 5));
+        CU_ASSERT_FATAL(rig_steps(r, plain, 0, steps) && rig_steps(r, turned, 0, steps));
         double *a = rig_state(plain), *b = rig_state(turned);
         for (int f = 0; f < FIELDS; f++) field[f] = b + f * n;
         mirror_fields(field, n, axis, width);
@@ -151,11 +151,17 @@ static void check_mirror(Rig *r)
     }
 }
 
-/* (WLS returns through the cell above a node; of GIMP's boxes some end on nodes.) */
+static void check_mirror(Rig *r)
+{
+    mirror_both(r, 5);
+}
+
+/* One step, from the nodes: just beside them, the small mass of the next node makes a thousand ulps
+ * of one. (WLS returns through the cell above a node; of GIMP's boxes some end on nodes.) */
 static void check_tent_mirror(Rig *r)
 {
     const Method *m = r->plan.setup.method;
-    if (!m->smooth && !m->assemble) check_mirror(r);
+    if (!m->smooth && !m->assemble) mirror_both(r, 1);
 }
 
 static void test_mirror(void)
