@@ -73,17 +73,23 @@ static void deposit_round(Sim *sim, int k, Work *w)
         deposit_half(&sim->g, w, width);
 }
 
-static void deposit_chunk(Sim *sim, int k, double t, Deposit what, Work *w)
+/* What the particles of a chunk give, in w->A and w->B. */
+static void make_payload(const Sim *sim, const Chunk *c, bool force, int width, Work *w)
 {
     const Method *method = &sim->method;
-    const bool affine = method->affine;
+    chunk_stress(sim, c, force, w->T);
+    method->payload(c, (const Field *)w->T, &w->payload);
+    if (method->moments) divide_by_spread(sim, w, width);
+    pack_payload(sim, w, method->affine);
+}
+
+static void deposit_chunk(Sim *sim, int k, double t, Deposit what, Work *w)
+{
+    const bool affine = sim->method.affine;
     const Chunk c = sim_chunk(sim, k);
     Grid *g = &sim->g;
     const int width = make_stencils(sim, &c, w);
-    chunk_stress(sim, &c, what == FORCES, w->T);
-    method->payload(&c, (const Field *)w->T, &w->payload);
-    if (method->moments) divide_by_spread(sim, w, width);
-    pack_payload(sim, w, affine);
+    make_payload(sim, &c, what == FORCES, width, w);
     if (width == 2)
         affine ? deposit(g, w, 2, true) : deposit(g, w, 2, false);
     else if (width == 3)
@@ -106,7 +112,43 @@ static void clear_all(Sim *sim)
         if (g->lo[row] < g->hi[row]) clear_row(g, row);
 }
 
-/* Even blocks, then odd blocks: two of one parity never meet, so sums have one order. */
+/* Stress of the particles on nodes, which the deposit left out. */
+static void deposit_slopes(Sim *sim, int k, Work *w)
+{
+    const Chunk c = sim_chunk(sim, k);
+    const int width = make_stencils(sim, &c, w);
+    if (!w->on_node) return;
+    make_payload(sim, &c, true, width, w);
+    deposit_on_nodes(sim, w);
+}
+
+typedef enum { ALL, ON_NODES } Which;
+
+/* Even blocks, then odd blocks: two of one parity never meet, so sums have one order. Returns
+ * whether some particle lies on a node. */
+static bool deposit_blocks(Sim *sim, double t, Deposit what, Which which)
+{
+    bool on_node = false;
+#pragma omp parallel num_threads(sim->setup->threads) reduction(|| : on_node)
+    {
+        Work w;
+        for (int parity = 0; parity < 2; parity++) {
+#pragma omp for schedule(dynamic, 1)
+            for (int b = parity; b < sim->nblock; b += 2)
+                for (int k = sim->block[b].first; k < sim->block[b].last; k++) {
+                    if (which == ON_NODES)
+                        deposit_slopes(sim, k, &w);
+                    else if (what == ROUND)
+                        deposit_round(sim, k, &w);
+                    else
+                        deposit_chunk(sim, k, t, what, &w);
+                    on_node = on_node || w.on_node;
+                }
+        }
+    }
+    return on_node;
+}
+
 void deposit_all(Sim *sim, double t, Deposit what)
 {
     clear_all(sim);
@@ -114,14 +156,7 @@ void deposit_all(Sim *sim, double t, Deposit what)
         sim->method.assemble(sim, t, what == FORCES);
         return;
     }
-#pragma omp parallel num_threads(sim->setup->threads)
-    {
-        Work w;
-        for (int parity = 0; parity < 2; parity++) {
-#pragma omp for schedule(dynamic, 1)
-            for (int b = parity; b < sim->nblock; b += 2)
-                for (int k = sim->block[b].first; k < sim->block[b].last; k++)
-                    what == ROUND ? deposit_round(sim, k, &w) : deposit_chunk(sim, k, t, what, &w);
-        }
-    }
+    if (!deposit_blocks(sim, t, what, ALL) || what == ROUND) return;
+    mark_body(sim);
+    if (what == FORCES) deposit_blocks(sim, t, what, ON_NODES);
 }

@@ -54,9 +54,13 @@ typedef struct Chunk {
 enum { T_S, T_G, T_R, T_Q, TABLES }; /* S [-], G = dS/dx_p [1/cell], R = S r [cell], Q = S r^2 */
 
 typedef struct Stencil {
+    bool on_node;    /* tents: some particle lies on a node of this axis (on_node.c) */
     int base[CHUNK]; /* first node that each particle sees */
     Field table[TABLES][MAX_WIDTH];
 } Stencil;
+
+/* A tent's particle closer to a node than this [cells] lies on it. */
+#define ON_NODE 1e-10
 
 /* What a shape may know of its axis: where walls stand, in cells from node 0 (or +-infinity). */
 typedef struct Axis {

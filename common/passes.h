@@ -6,6 +6,8 @@
 
 #include "sim.h"
 
+struct Work;
+
 /* What is deposited: mass and momentum; these and forces at time t; or mass and m w, a round of a
  * velocity filter. */
 typedef enum { MOTION, FORCES, ROUND } Deposit;
@@ -23,6 +25,13 @@ void start_moments(Sim *sim);
 
 /* w = S v of every particle, for a filter's round. */
 void gather_velocity(Sim *sim);
+
+/* Tents and particles on nodes: the slope there; on_node.c. After a deposit that saw such particles
+ * mark_body notes which nodes are the body's; then they give their stress, and later gather L. */
+void clear_slopes_on_nodes(Stencil stencil[DIM]);
+void mark_body(Sim *sim);
+void deposit_on_nodes(Sim *sim, const struct Work *w);
+void gather_on_nodes(const Sim *sim, struct Work *w);
 
 /* The method's filter of the grid velocity, after the nodes' equations; filter_open comes between
  * deposit and equations. takes_v: what walls take meanwhile is booked; filter.c. */

@@ -33,6 +33,7 @@ enum { LINE_IS_VECTOR = (int)sizeof(Line) <= VECTOR_BYTES };
 typedef struct Work {
     Field x[DIM], b[DIM]; /* positions and half widths [cells], from node 0 */
     Stencil stencil[DIM];
+    bool on_node; /* some particle lies on a node, and G lacks its slope: on_node.c */
     Payload payload;
     Field T[NMAT];
     Field sums[2 * LANES];
@@ -63,6 +64,8 @@ static inline void half_widths(const Sim *sim, const Chunk *c, int axis, Field b
         half_widths_by(DOMAIN_UNDEFORMED, sim, c, axis, b);
 }
 
+void clear_slopes_on_nodes(Stencil stencil[DIM]); /* passes.h */
+
 /* Fills the stencils of all axes; returns their common width, the least that holds this chunk. */
 static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
 {
@@ -75,8 +78,13 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
             for (int p = 0; p < CHUNK; p++) most = w->b[d][p] > most ? w->b[d][p] : most;
     }
     const int width = method->width(most);
-    for (int d = 0; d < DIM; d++)
+    w->on_node = false;
+    for (int d = 0; d < DIM; d++) {
+        w->stencil[d].on_node = false;
         method->shape(&sim->g.axis[d], width, w->x[d], w->b[d], &w->stencil[d]);
+        w->on_node |= w->stencil[d].on_node;
+    }
+    if (w->on_node) clear_slopes_on_nodes(w->stencil);
     return width;
 }
 

@@ -51,6 +51,7 @@ static bool grid_alloc(Sim *sim)
     if (s->scene->problem->body) ok = (g->force = get(n * DIM, sizeof(double))) && ok;
     if (s->method->filter) ok = (g->keep = get(n, sizeof(Line))) && ok;
     if (s->snapshot_nodes) ok = (g->mass = calloc(n, sizeof(double))) && ok;
+    if (!s->method->assemble) ok = (g->body = calloc(n, 1)) && ok;
     return ok;
 }
 
@@ -93,7 +94,7 @@ static double bytes_needed(const Sim *sim, double particles)
     double nodes = 1, fields = 4;
     for (int d = 0; d < DIM; d++) nodes *= (scene->hi[d] - scene->lo[d]) * sim->g.cells + 8;
     for (int f = 0; f < FIELDS; f++) fields += field_used(sim, f);
-    return nodes * ((double)(sizeof(Line) + sim->method.node_bytes) +
+    return nodes * ((double)(sizeof(Line) + sim->method.node_bytes) + 1 +
                     8.0 * DIM * (scene->problem->body != NULL)) +
            particles * 8 * (fields + 2 * DIM + 1);
 }
@@ -155,6 +156,17 @@ static void set_walls(Sim *sim)
     }
 }
 
+/* Nodes with less than this part of a particle's mass are empty. With C1 weights the force falls as
+ * the root of the mass, so that light nodes are safe. With tents it does not fall, but on_node.c
+ * takes it from nodes that a particle reaches by less than ON_NODE along an axis; any others have
+ * more than ON_NODE an axis, and are kept. WLS integrates masses over cells and cuts at round-off.
+ */
+static double least_part(const Method *method)
+{
+    if (method->smooth) return 1e-24;
+    return method->assemble ? 1e-12 : pow(0.01 * ON_NODE, DIM);
+}
+
 static void fill_particles(Sim *sim, const Layout *layout)
 {
     Particles *p = &sim->p;
@@ -171,11 +183,9 @@ static void fill_particles(Sim *sim, const Layout *layout)
         n++;
     }
     p->n = n;
-    /* Lighter nodes are empty. A tent's force does not fade with its mass, so that a node of
-     * round-off weight must not move; a smooth weight's force goes as the root of its mass, and is
-     * kept. */
-    const double least = sim->method.smooth ? 1e-24 : 1e-12;
-    sim->mass_cut = least * scene->mat.rho * body_volume(scene) / (n - sim->surface);
+    const double mean = scene->mat.rho * body_volume(scene) / (n - sim->surface);
+    sim->mass_cut = least_part(&sim->method) * mean;
+    sim->mass_body = ON_NODE * mean;
 }
 
 /* Initial state: x = X + u, and v, F, L as the scene says. */
@@ -269,7 +279,7 @@ void sim_free(Sim *sim)
     for (int d = 0; d < DIM; d++) free(g->hold[d]);
     free(g->node), free(g->keep), free(g->lo), free(g->hi), free(g->live), free(g->impulse),
         free(g->count);
-    free(g->force), free(g->mass), free(sim->block);
+    free(g->force), free(g->mass), free(g->body), free(sim->block);
     free(p->arena), free(p->id), free(p->order), free(p->source);
     for (int d = 0; d < DIM; d++) free(p->key[d]);
     free(sim);

@@ -63,6 +63,7 @@ typedef struct Grid {
     Line zero;                /* an empty node */
     double *force;            /* [rows * n[0]][DIM] body force [N], or NULL */
     double *mass;             /* [rows * n[0]] copy for who looks at nodes, or NULL */
+    unsigned char *body;      /* [rows * n[0]] the node is the body's, for particles on nodes */
     Axis axis[DIM];           /* where walls stand, for shapes that fold their weights there */
     unsigned char *hold[DIM]; /* [n[d]] bit a: component a is held at this index of axis d */
     Mirror mirror[2 * DIM];   /* by axis */
@@ -91,6 +92,7 @@ typedef struct Sim {
     double key_shift; /* particles are sorted by floor(x + this), in cells */
     double travel;    /* farthest any particle may have moved since the last sort, in cells */
     double mass_cut;  /* nodes with less are empty [kg] */
+    double mass_body; /* nodes with less get no stress from particles on nodes [kg] */
     long nodes, live; /* most live nodes so far; those of the last solve */
     Vec impulse;      /* [kg m/s] given by body forces and walls so far */
     double dx;        /* 1/cells [m] */
@@ -122,6 +124,10 @@ void grid_mirror_spans(Grid *g);
 void grid_wall_images(
     Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */
 bool grid_is_ghost_row(const Grid *g, int row, int above); /* of a mirror across an axis > above */
+
+/* Which components unilateral walls hold at node i of a row, whose p and f are those of the equations
+ * of motion over dt [s]; solve.c. */
+unsigned grid_stops(const Grid *g, int row, int i, double dt);
 
 /* Node number of grid index `index`, or of its image if it lies beyond a symmetry line: then
  * sign[a] is the parity of component a, else 1. NOWHERE outside the live nodes. */

@@ -1,6 +1,13 @@
 /* solve.c: the nodes' equations of motion (passes.h): W11 eqs 25, 26 with walls. */
 #include "passes.h"
 
+/* Is the internal force booked as it was deposited, before symmetry or a repair changes it? Its sum
+ * over all nodes is nothing; a repair books what it adds at nodes that no wall holds (wls.h). */
+static bool books_early(const Sim *sim)
+{
+    return sim->g.nmirror > 0 || sim->method.repair;
+}
+
 /* Internal force on the real particles' nodes, before symmetry adds the mirrored ones; and their
  * momentum, where the update will replace it. */
 static void book_forces(Sim *sim, double dt)
@@ -24,9 +31,9 @@ static unsigned row_hold(const Grid *g, int row)
     return held;
 }
 
-/* Unilateral walls: which components they hold at node i of a row. A wall holds while the free
- * momentum p + f dt is directed into it; a body that would be pulled back leaves. */
-static unsigned stops_hold(const Grid *g, int row, int i, double dt)
+/* A wall holds while the free momentum p + f dt is directed into it; a body that would be pulled
+ * back leaves. */
+unsigned grid_stops(const Grid *g, int row, int i, double dt)
 {
     const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
     const Line n = g->node[at];
@@ -62,7 +69,7 @@ static inline void solve_node(Sim *sim, size_t at, unsigned held, unsigned stopp
     for (int a = 0; a < DIM; a++) {
         double f = 0;
         for (int b = 0; b < DIM; b++) f += in[FLUX + b * DIM + a];
-        if (!g->nmirror) impulse[a] -= dt * scale * f + (pic ? share * in[1 + a] : 0);
+        if (!books_early(sim)) impulse[a] -= dt * scale * f + (pic ? share * in[1 + a] : 0);
         if (g->force) f += g->force[at * DIM + (size_t)a];
         const bool hold = held >> a & 1;
         double acc = hold ? 0 : f * inverse * scale;
@@ -81,7 +88,7 @@ static inline void solve_node(Sim *sim, size_t at, unsigned held, unsigned stopp
 static inline void clear_node(Sim *sim, size_t at, unsigned held, double dt, double impulse[DIM])
 {
     const Line in = sim->g.node[at];
-    for (int l = FLUX; l < LANES && !sim->g.nmirror; l++)
+    for (int l = FLUX; l < LANES && !books_early(sim); l++)
         if (held >> (l - FLUX) % DIM & 1) impulse[(l - FLUX) % DIM] -= dt * in[l];
     sim->g.node[at] = (Line){0};
 }
@@ -102,7 +109,7 @@ static void solve_row(Sim *sim, int row, double dt, double scale, double share, 
         const size_t at = start + (size_t)i;
         const double mass = g->node[at][0];
         const bool empty = mass <= sim->mass_cut; /* false for NaN, which must spread */
-        const unsigned stops = g->nstop ? stops_hold(g, row, i, dt * scale) : 0;
+        const unsigned stops = g->nstop ? grid_stops(g, row, i, dt * scale) : 0;
         const unsigned own = held | g->hold[0][i] | stops;
         if (g->mass) g->mass[at] = empty ? 0 : mass;
         live += !empty;
@@ -121,10 +128,8 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
     const double share = sim->method.pic ? force : dt;
     for (int row = 0; row < g->rows; row++)
         for (int a = 0; a < DIM; a++) g->impulse[row][a] = 0;
-    if (g->nmirror) {
-        if (force) book_forces(sim, dt * scale);
-        grid_fold(sim);
-    }
+    if (books_early(sim) && force) book_forces(sim, dt * scale);
+    if (g->nmirror) grid_fold(sim);
     if (sim->method.repair) sim->method.repair(sim, dt * scale);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)

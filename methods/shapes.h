@@ -16,17 +16,21 @@ static inline int tent_width(double b)
     return 2;
 }
 
-/* The cell is chosen by floor(x), never by the sign of r, so that a particle on a node has one. */
+/* The cell is chosen by floor(x), never by the sign of r. Where f (1 - f) is next to nothing the
+ * particle lies on a node, where the slope jumps: common/on_node.c sees to it. */
 static inline void tent_shape(const Axis *axis, int width, const Field x, const Field b,
                               Stencil *out)
 {
     (void)axis, (void)width, (void)b;
+    long long on_node = 0; /* as wide as a double: see gather.c */
     for (int p = 0; p < CHUNK; p++) {
         double c = floor(x[p]), f = x[p] - c;
         out->base[p] = (int)c;
         out->table[T_S][0][p] = 1 - f, out->table[T_S][1][p] = f;
         out->table[T_G][0][p] = -1, out->table[T_G][1][p] = 1;
+        on_node |= f * (1 - f) < ON_NODE;
     }
+    out->on_node = on_node != 0;
 }
 
 /* The tent whose points on a wall see the cell within it, not the one beyond. */

@@ -149,8 +149,17 @@ void wls_mass_times(Sim *sim);
 
 /* Accelerations corrected towards the consistent mass matrix: a = 2 a0 - D^-1 M a0 at good nodes,
  * after symmetry; written back as internal force. Then v of a node is to lag behind v + dt a. */
-void wls_correct(Sim *sim);
+void wls_correct(Sim *sim, double dt);
 void wls_hold_back(const Sim *sim, size_t at, const int index[DIM], double dt, double v[DIM]);
+
+/* Components that a wall holds or a symmetry line cancels at node i of a row. */
+unsigned wls_held(const Grid *g, int row, int i);
+
+/* After a node's internal force was changed from that of the line `before`: the ledger has booked
+ * it as it was integrated, with which forces and reactions sum to nothing. Where a component is
+ * `held` the wall bears just that. Elsewhere the change is momentum that no wall gave: it is booked
+ * against, and shows as drift, unless other nodes lose as much. */
+void wls_book_change(Sim *sim, int row, size_t at, double dt, const Line before, unsigned held);
 
 /* Velocities, spurious and massless nodes of one row, after symmetry. */
 void wls_repair_row(Sim *sim, int row, double dt);

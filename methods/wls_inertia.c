@@ -11,8 +11,7 @@
  * Real cells alone are summed: on a symmetry line the mirrored half doubles M a0 and D alike. */
 #include "wls.h"
 
-/* Components that a wall holds or a symmetry line cancels at node i of a row. */
-static unsigned held_at(const Grid *g, int row, int i)
+unsigned wls_held(const Grid *g, int row, int i)
 {
     int index[DIM];
     unsigned held = 0;
@@ -22,6 +21,15 @@ static unsigned held_at(const Grid *g, int row, int i)
     for (int k = 0; k < g->nmirror; k++)
         if (index[g->mirror[k].axis] == g->mirror[k].at) held |= 1u << g->mirror[k].axis;
     return held;
+}
+
+void wls_book_change(Sim *sim, int row, size_t at, double dt, const Line before, unsigned held)
+{
+    const Line node = sim->g.node[at];
+    const double real = node[0] > 0 ? node[1 + DIM] / node[0] : 0; /* a half on symmetry lines */
+    for (int a = 0; a < DIM; a++)
+        if (!(held >> a & 1))
+            sim->g.impulse[row][a] -= dt * real * (node[FLUX + a] - before[FLUX + a]);
 }
 
 static double whole_force(const Grid *g, size_t at, int a)
@@ -38,7 +46,7 @@ static void start_row(Sim *sim, int row)
     Wls *w = wls_of(sim);
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-        const unsigned held = held_at(g, row, i);
+        const unsigned held = wls_held(g, row, i);
         const double mass = g->node[at][0];
         w->inertia[at] = (Line){0};
         for (int a = 0; a < DIM && mass > sim->mass_cut; a++)
@@ -46,27 +54,34 @@ static void start_row(Sim *sim, int row)
     }
 }
 
-/* a, and as internal force, from which the nodes' equations take it. */
-static void finish_row(Sim *sim, int row)
+/* a, and as internal force, from which the nodes' equations take it; with what that means for the
+ * momentum ledger. The change of all nodes together, sum_i (D a0 - M a0)_i, is nothing, since the
+ * rows of M add up to D. A held component takes no part: a0 = 0 there, and of its share -(M a0)_i
+ * the wall keeps the body. So the wall's impulse is that of the integrated force and dt (M a0)_i,
+ * and what the other nodes gain, they gain from each other. */
+static void finish_row(Sim *sim, int row, double dt)
 {
-    const Grid *g = &sim->g;
+    Grid *g = &sim->g;
     Wls *w = wls_of(sim);
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-        const Line in = w->inertia[at];
-        Line *node = &g->node[at];
-        if (!wls_is_sound(sim, at) || !(in[I_M] > 0)) continue;
-        const unsigned held = held_at(g, row, i);
+        const Line in = w->inertia[at], before = g->node[at];
+        if (!(in[I_M] > 0)) continue;
+        const unsigned held = wls_held(g, row, i);
+        for (int a = 0; a < DIM; a++)
+            if (held >> a & 1) g->impulse[row][a] += dt * in[I_MA + a];
+        if (!wls_is_sound(sim, at)) continue;
         for (int a = 0; a < DIM; a++) {
             const double acc = held >> a & 1 ? 0 : 2 * in[I_A + a] - in[I_MA + a] / in[I_M];
             const double outer = g->force ? g->force[at * DIM + (size_t)a] : 0;
-            (*node)[FLUX + a] = (*node)[0] * acc - outer;
+            g->node[at][FLUX + a] = g->node[at][0] * acc - outer;
             w->inertia[at][I_MA + a] = acc;
         }
+        wls_book_change(sim, row, at, dt, before, held);
     }
 }
 
-void wls_correct(Sim *sim)
+void wls_correct(Sim *sim, double dt)
 {
     const Grid *g = &sim->g;
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
@@ -75,7 +90,7 @@ void wls_correct(Sim *sim)
     wls_mass_times(sim);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row]) finish_row(sim, row);
+        if (g->lo[row] < g->hi[row]) finish_row(sim, row, dt);
 }
 
 /* a of a spurious node from pairs of good ones with mass, weights m_j; false: there are none. */

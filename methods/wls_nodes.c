@@ -76,23 +76,28 @@ static void move_along(Sim *sim, size_t at, Line *node, const Around *n)
     }
 }
 
-static void repair_node(Sim *sim, size_t at, const int index[DIM], double dt, long *fallbacks)
+static void repair_node(Sim *sim, size_t at, int row, const int index[DIM], double dt)
 {
-    const Wls *w = wls_of(sim);
+    Wls *w = wls_of(sim);
     Line *node = &sim->g.node[at];
+    const Line before = *node;
     const bool light = !((*node)[0] > sim->mass_cut), used = w->fit[at][FIT_MOMENTS][M_ONE] > 0;
+    const bool repaired = (light && used) || !w->good[at];
     double v[DIM];
     for (int a = 0; a < DIM; a++) v[a] = w->fit[at][FIT_VALUE][Q_V + a];
-    if ((light && used) || !w->good[at]) {
+    if (repaired) {
         const Around n = look_around(sim, index);
         for (int a = 0; a < DIM && w->extrapolate && !w->good[at] && n.count > 0; a++)
             v[a] = n.v[a] / n.count;
         if (light && used && w->body) move_along(sim, at, node, &n);
         if (!light && n.massive > 0) average_force(sim, at, node, &n);
-        *fallbacks += used && !(n.massive > 0);
+        w->fallbacks[row] += used && !(n.massive > 0);
     }
     if (w->corrected && (*node)[0] > sim->mass_cut) wls_hold_back(sim, at, index, dt, v);
     for (int a = 0; a < DIM; a++) (*node)[1 + a] = (*node)[0] * v[a];
+    if (repaired)
+        wls_book_change(sim, row, at, dt, before,
+                        wls_held(&sim->g, row, index[0]) | grid_stops(&sim->g, row, index[0], dt));
 }
 
 void wls_repair_row(Sim *sim, int row, double dt)
@@ -105,6 +110,6 @@ void wls_repair_row(Sim *sim, int row, double dt)
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)index[0];
         for (int d = 0; d < DIM; d++) sign[d] = 1;
         if (g->nmirror) ghost = grid_image(g, index, sign) != at;
-        if (!(ghost > 0)) repair_node(sim, at, index, dt, &wls_of(sim)->fallbacks[row]);
+        if (!(ghost > 0)) repair_node(sim, at, row, index, dt);
     }
 }

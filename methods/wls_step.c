@@ -114,7 +114,7 @@ void wls_repair(Sim *sim, double dt)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row]) any = mark_sound(sim, row) || any;
     wls_of(sim)->body = any;
-    if (wls_of(sim)->corrected) wls_correct(sim);
+    if (wls_of(sim)->corrected) wls_correct(sim, dt);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0)) wls_repair_row(sim, row, dt);

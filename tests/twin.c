@@ -101,10 +101,35 @@ void twin_images(Twin *w, const TwinParticle *p, TwinDeposit *give, bool force, 
     twin_images(w, &q, give, force, k + 1);
 }
 
+static void weigh(Twin *w, const TwinParticle *p, bool force)
+{
+    Sight s[3];
+    (void)force;
+    look_around(w, p, s);
+    FOR_NODES(s, i)
+    {
+        TwinNode *node = node_at(w, s, i);
+        if (node) node->weight += s[0].S[i[0]] * s[1].S[i[1]] * s[2].S[i[2]] * p->m;
+    }
+}
+
+/* The slope of a tent on a node asks which nodes have mass. */
+static void weigh_nodes(Twin *w)
+{
+    bool kink = false;
+    for (int k = 0; k < w->n && w->method.shape == TWIN_TENT; k++) {
+        Sight s[3];
+        look_around(w, &w->p[k], s);
+        for (int d = 0; d < DIM; d++) kink |= s[d].kink;
+    }
+    for (int k = 0; k < w->n && kink; k++) twin_images(w, &w->p[k], weigh, false, 0);
+}
+
 static void project(Twin *w, double t, bool force)
 {
     const Problem *problem = w->setup->scene->problem;
     for (long i = 0; i < w->nodes; i++) w->node[i] = (TwinNode){.held = w->node[i].held};
+    weigh_nodes(w);
     for (int k = 0; k < w->n; k++) {
         TwinParticle *p = &w->p[k];
         const double *X[DIM];

@@ -22,6 +22,7 @@ typedef struct TwinNode {
     double m, p[DIM], f[DIM]; /* [kg] [kg m/s] [N] */
     double v[DIM], a[DIM];    /* [m/s] [m/s^2] */
     double r[DIM], rest[DIM]; /* [m/s] of a filter's round; what its terms leave */
+    double weight;            /* [kg] m, known before the forces where a particle is on a node */
     unsigned held;            /* bit a: v_a = a_a = 0 */
 } TwinNode;
 

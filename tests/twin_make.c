@@ -9,10 +9,11 @@
 enum { GHOSTS = 8 }; /* nodes beyond the domain */
 
 /* A smooth weight's force fades with its mass, a tent's does not (common/sim.c has the reason). */
+#define TENT_LEAST IN_THIS_DIM(1e-12, 1e-24, 1e-36)
 static const TwinMethod known[] = {
-    {.name = "mpm", .shape = TWIN_TENT, .least = 1e-12},
+    {.name = "mpm", .shape = TWIN_TENT, .least = TENT_LEAST},
     {.name = "gimp", .shape = TWIN_BOX, .least = 1e-24},
-    {.name = "ge_mpm", .shape = TWIN_TENT, .gradient = true, .least = 1e-12},
+    {.name = "ge_mpm", .shape = TWIN_TENT, .gradient = true, .least = TENT_LEAST},
     {.name = "ge_gimp", .shape = TWIN_BOX, .gradient = true, .least = 1e-24},
     {.name = "bspline", .shape = TWIN_SPLINE, .least = 1e-24},
     {.name = "apic", .gradient = true, .pic = true, .moments = true, .least = 1e-24},
