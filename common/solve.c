@@ -34,7 +34,7 @@ static unsigned stops_hold(const Grid *g, int row, int i, double dt)
     for (int k = 0; k < g->nstop; k++) {
         const Stop *s = &g->stop[k];
         int index = i, rest = row;
-        for (int d = 1; d <= s->axis; d++) {
+        for (int d = 1; d < DIM && d <= s->axis; d++) {
             index = rest % g->n[d];
             rest /= g->n[d];
         }
