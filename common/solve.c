@@ -109,7 +109,7 @@ static void solve_row(Sim *sim, int row, double dt, double scale, double share, 
         if (empty)
             clear_node(sim, at, own, dt * scale, g->impulse[row]);
         else
-            solve_node(sim, at, own, force ? stops & ~held & ~g->hold[0][i] : 0, dt, scale, share,
+            solve_node(sim, at, own, force ? stops & ~(held | g->hold[0][i]) : 0, dt, scale, share,
                        g->impulse[row]);
     }
     g->live[row] = live;

@@ -200,7 +200,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
 static void check(Check *c, const Table *rows, const char *dir)
 {
     Table *t = part_read(dir, name, "force", NULL);
-    const double share = 2 * STRETCH / PER_CELL;
+    const double share = 2 * STRETCH / (double)PER_CELL;
     (void)rows;
     if (!t) return;
     claim(c, "H1.nodes", "nodes of the bar's coarsest mesh, each at another offset",

@@ -114,7 +114,7 @@ static double order(const Table *rows, int method, const char *error)
             e[i] = value_pick(rows, error, "method=%s cells=%d particles=%d t_end=%.17g",
                               methods[method], meshes[i], scaled(counts[k], meshes[i]), period);
         }
-        sum += order_fit(MESHES, h, e, NULL) / ORDERS;
+        sum += order_fit(MESHES, h, e, NULL) / (double)ORDERS;
     }
     return sum;
 }
