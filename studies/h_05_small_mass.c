@@ -130,8 +130,8 @@ static void assemble(const char *method, double x, double m[NODES], gsl_matrix *
         for (size_t i = 0; i < NODES; i++) {
             const double end = CELLS + 4 + x; /* of the last particle, from node 0 */
             double S = 0, slope = 0;
-            engine_1d.weight(method, end - p / (double)PER_CELL - (double)i, 0.5 / (double)PER_CELL,
-                             &S, &slope);
+            engine_1d.weight(method, end - (double)p / (double)PER_CELL - (double)i,
+                             0.5 / (double)PER_CELL, &S, &slope);
             m[i] += S / (double)PER_CELL;
             gsl_vector_set(G, i, slope);
         }

@@ -29,7 +29,7 @@ check() { # DIM, rooms
         --suppress=arrayIndexOutOfBounds `# it does not follow branches on DIM` \
         --error-exitcode=1 -j "$(nproc)" "-DDIM=$1" "${@:2}" || complain "cppcheck, DIM=$1"
 }
-have shellcheck && { shellcheck -S warning tests/*.sh || complain "shellcheck"; }
+have shellcheck && { shellcheck -S warning tests/*.sh tests/tools/*.sh || complain "shellcheck"; }
 have cppcheck && { check 1 common methods; check 2 common methods problems fem_ref studies tests; }
 
 # Include rules: who may see whom.
