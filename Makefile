@@ -227,7 +227,7 @@ deps:
 	  libcunit1-dev gnuplot-nox fonts-dejavu-core man-db $(if $(findstring clang,$(CC)),clang libomp-dev)
 
 deps-extra:
-	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind shellcheck libclang-rt-dev \
+	@bash tests/deps.sh -o clang clang-tidy clang-format cppcheck valgrind shellcheck libclang-rt-dev \
 	  libomp-dev python3-vtk9 python3-numpy chromium chromium-driver curl parallel slurm-wlm munge
 
 clean:
