@@ -81,6 +81,7 @@ ring() { # COMMAND-PREFIX...
 }
 agree() { # FILE FILE: the largest relative difference of their numbers, or what else differs
     paste -d '\n' "$1" "$2" | awk -F, '
+        !/,ok,/ { print "a run is lost"; wrong = 1; exit }
         NR % 2 { n = split($0, a); next }
         NF != n { print "rows unlike"; wrong = 1; exit }
         { for (k = 1; k <= NF; k++) {
