@@ -80,7 +80,7 @@ ring() { # COMMAND-PREFIX...
         "$@" build/mpmlab run ring --cells 8 --method "$method" --threads 1 | tail -n 1 | sed 's/\(,[^,]*\)\{3\}$//'
     done
 }
-agree() { # FILE FILE: the largest relative difference of their numbers, or what else differs
+agree() { # FILE FILE: the largest relative difference of their numbers (absolute where round-off is all), or what differs
     paste -d '\n' "$1" "$2" | awk -F, '
         !/,ok,/ { print "a run is lost"; wrong = 1; exit }
         NR % 2 { n = split($0, a); next }
@@ -88,7 +88,7 @@ agree() { # FILE FILE: the largest relative difference of their numbers, or what
         { for (k = 1; k <= NF; k++) {
             if (a[k] == $k) continue
             if (a[k] !~ /^[-+.0-9]/ || $k !~ /^[-+.0-9]/) { print "column " k ": " a[k] " and " $k; wrong = 1; exit }
-            d = a[k] - $k; m = (a[k] > 0 ? a[k] : -a[k]); if (m < 1e-12) m = 1
+            d = a[k] - $k; m = (a[k] > 0 ? a[k] : -a[k]); if (m < 1e-10) m = 1
             if (d < 0) d = -d
             if (d / m > most) most = d / m } }
         END { if (wrong) exit 1; printf "ring of %d methods within %.1g", NR / 2, most; exit !(NR > 1 && most < 1e-10) }'
