@@ -74,10 +74,10 @@ try() { # COMMAND...: sets `result` to ok and seconds, or to FAILED
     result=FAILED
     if "$@"; then result="ok, $((SECONDS - start)) s"; else wrong=1; fi
 }
-# The ring's last row by each method, time columns aside: a line each.
+# The ring's row by each method without its three columns of time: a line each.
 ring() { # COMMAND-PREFIX...
     for method in gimp wls2 ge_wls fem; do
-        "$@" build/mpmlab run ring --cells 8 --method "$method" --threads 1 | tail -n 1 | sed 's/\(,[^,]*\)\{3\}$//'
+        "$@" build/mpmlab run ring --cells 8 --method "$method" --threads 1 | tail -n 1 | cut -d, -f1-17,21-
     done
 }
 agree() { # FILE FILE: the largest relative difference of their numbers (absolute where round-off is all), or what differs
