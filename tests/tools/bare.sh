@@ -67,7 +67,8 @@ mount -t proc proc "$root/proc" && mount -t devpts -o newinstance,ptmxmode=666 d
 
 inside() { # COMMAND: as root, in the clone; nothing of this machine's environment goes with it
     echo "\$ $1" >>"$log"
-    env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C ${http_proxy:+http_proxy="$http_proxy"} chroot "$root" bash -c "cd /mpmlab && $1" >>"$log" 2>&1
+    env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C ${http_proxy:+http_proxy="$http_proxy"} \
+        chroot "$root" bash -c "cd /mpmlab && $1" >>"$log" 2>&1
 }
 try() { # COMMAND...: sets `result` to ok and seconds, or to FAILED
     local start=$SECONDS
@@ -80,7 +81,7 @@ ring() { # COMMAND-PREFIX...
         "$@" build/mpmlab run ring --cells 8 --method "$method" --threads 1 | tail -n 1 | cut -d, -f1-17,21-
     done
 }
-agree() { # FILE FILE: the largest relative difference of their numbers (absolute where round-off is all), or what differs
+agree() { # FILE FILE: the largest difference of their numbers, relative (absolute below 1e-10), or what else differs
     paste -d '\n' "$1" "$2" | awk -F, '
         !/,ok,/ { print "a run is lost"; wrong = 1; exit }
         NR % 2 { n = split($0, a); next }
