@@ -1,6 +1,7 @@
 # mpmlab: `make deps figures` runs everything, `make deps test` checks everything.
 #   make CC=clang          another compiler          make ARCH=              portable build
 #   make OMP=              no threads                make BUILD=build/x      another folder
+#   make WERROR=-Werror    warnings are errors, as in make lint and .ci/run
 
 CC     = gcc
 BUILD  = build
@@ -9,10 +10,11 @@ OMP    = -fopenmp
 JOBS   = $(shell nproc)
 DIMS   = 1 2
 SAN    =
+WERROR ?=
 
 OPT    = -O3 $(ARCH) -ffp-contract=fast -fno-math-errno -fno-trapping-math
 WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Wstrict-prototypes \
-         -Wmissing-prototypes -Wno-psabi -Werror $(if $(OMP),,-Wno-unknown-pragmas)
+         -Wmissing-prototypes -Wno-psabi $(WERROR) $(if $(OMP),,-Wno-unknown-pragmas)
 CFLAGS = -std=gnu11 -g $(OPT) $(OMP) $(SAN) $(WARN)
 LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
 
@@ -32,7 +34,7 @@ objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 
 .PHONY: all deps deps-extra test quick figures bench rank san lint mutants faults install uninstall builds repeat memcheck \
-  coverage fuzz fuzzers clean force
+  coverage objects fuzz fuzzers clean force
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -74,10 +76,13 @@ $(BUILD)/d$(1)/engine.o: $(call objects,$(1))
 endef
 $(foreach d,1 2 3,$(eval $(call dimension,$(d))))
 
+# make figures QUICK=--quick: all figures from short runs, in minutes, without verdicts
+QUICK =
+
 figures:
 	@$(MAKE) --no-print-directory -j$(JOBS) all
-	$(BUILD)/mpmlab study all --jobs $(JOBS)
-	$(BUILD)/mpmlab claims
+	$(BUILD)/mpmlab study all $(QUICK) --jobs $(JOBS)
+	$(if $(QUICK),,$(BUILD)/mpmlab claims)
 
 # The tests write below build/ only; CUnit's summary comes last.
 CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
@@ -196,6 +201,9 @@ $(BUILD)/tests/fuzz_main_%.o: tests/fuzz_main.c $(HEADERS) Makefile
 $(FUZZERS:%=$(BUILD)/tests/fuzz_%): $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_main_%.o $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
 
+# Every source compiled, for lint.
+objects: all $(UNIT_TESTS) $(BUILD)/tests/bench $(FUZZERS:%=$(BUILD)/tests/fuzz_main_%.o)
+
 # The program looks for its plots beside itself, in ../share.
 PREFIX  = /usr/local
 INSTALL = $(DESTDIR)$(PREFIX)
@@ -216,11 +224,11 @@ uninstall:
 
 deps:
 	@bash tests/deps.sh gcc make binutils libc6-dev libgsl-dev libjansson-dev zlib1g-dev \
-	  libcunit1-dev gnuplot-nox fonts-dejavu-core
+	  libcunit1-dev gnuplot-nox fonts-dejavu-core man-db $(if $(findstring clang,$(CC)),clang libomp-dev)
 
 deps-extra:
-	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind shellcheck libclang-rt-14-dev \
-	  libomp-14-dev python3-vtk9 python3-numpy chromium chromium-driver curl parallel slurm-wlm munge
+	@bash tests/deps.sh -o clang clang-tidy clang-format cppcheck valgrind shellcheck libclang-rt-dev \
+	  libomp-dev python3-vtk9 python3-numpy chromium chromium-driver curl parallel slurm-wlm munge
 
 clean:
 	rm -rf $(BUILD)

@@ -72,7 +72,7 @@ static int weight(const char *name, double x, double l, double *S, double *G)
     const Axis open_axis = {.wall_lo = -INFINITY, .wall_hi = INFINITY};
     Field at, half;
     Stencil s;
-    for (int p = 0; p < CHUNK; p++) at[p] = x + MAX_WIDTH, half[p] = l;
+    for (int p = 0; p < CHUNK; p++) at[p] = x + (double)MAX_WIDTH, half[p] = l;
     for (const Method *const *m = methods; *m; m++) {
         if (strcmp((*m)->info.name, name)) continue;
         const int width = (*m)->width(l);

@@ -41,7 +41,7 @@ unsigned grid_stops(const Grid *g, int row, int i, double dt)
     for (int k = 0; k < g->nstop; k++) {
         const Stop *s = &g->stop[k];
         int index = i, rest = row;
-        for (int d = 1; d <= s->axis; d++) {
+        for (int d = 1; d < DIM && d <= s->axis; d++) {
             index = rest % g->n[d];
             rest /= g->n[d];
         }
@@ -116,7 +116,7 @@ static void solve_row(Sim *sim, int row, double dt, double scale, double share, 
         if (empty)
             clear_node(sim, at, own, dt * scale, g->impulse[row]);
         else
-            solve_node(sim, at, own, force ? stops & ~held & ~g->hold[0][i] : 0, dt, scale, share,
+            solve_node(sim, at, own, force ? stops & ~(held | g->hold[0][i]) : 0, dt, scale, share,
                        g->impulse[row]);
     }
     g->live[row] = live;

@@ -104,7 +104,7 @@ static void connect(Fem *f)
             int i = f->corner[c][e], k = 0;
             while (f->touching[i][k] != no_force(f)) k++;
             f->touching[i][k] = force_at(e, c);
-            f->V0[i] += f->A0[e] / CORNERS;
+            f->V0[i] += f->A0[e] / (double)CORNERS;
         }
     for (int i = 0; i < f->nodes; i++) f->m[i] = f->scene->mat.rho * f->V0[i];
 }

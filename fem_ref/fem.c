@@ -75,7 +75,7 @@ static void share(const Fem *f, int e, const Field T[NMAT], Fields F, Fields sig
     const double J = f->F[0][e] * f->F[3][e] - f->F[1][e] * f->F[2][e];
     for (int c = 0; c < CORNERS; c++) {
         int i = f->corner[c][e];
-        double weight = f->A0[e] / (CORNERS * f->V0[i]);
+        double weight = f->A0[e] / ((double)CORNERS * f->V0[i]);
         for (int k = 0; k < NMAT; k++) {
             F[k][i] += weight * f->F[k][e];
             sigma[k][i] += weight * T[k][e % CHUNK] / J;
@@ -109,9 +109,9 @@ static void patches(const void *self, PatchVisit *visit, void *own)
             for (int d = 0; d < DIM; d++) {
                 const int i = f->corner[c][e];
                 patch.corner[c][d] = f->x[d][i];
-                patch.X[d] += f->X[d][i] / CORNERS;
-                patch.x[d] += f->x[d][i] / CORNERS;
-                patch.v[d] += f->v[d][i] / CORNERS;
+                patch.X[d] += f->X[d][i] / (double)CORNERS;
+                patch.x[d] += f->x[d][i] / (double)CORNERS;
+                patch.v[d] += f->v[d][i] / (double)CORNERS;
             }
         visit(own, &patch);
     }

@@ -18,15 +18,16 @@ bool wls_make(Sim *sim)
     const size_t n = (size_t)g->rows * (size_t)g->n[0];
     Wls *w = sim->own = calloc(1, sizeof *w);
     if (!w) return false;
-    w->linear = par[P_STRESS] < STRESS_C0;
-    w->exact = par[P_QUADRATURE] > QUADRATURE_CENTROID;
+    w->linear = (int)par[P_STRESS] == STRESS_LINEAR;
+    w->exact = (int)par[P_QUADRATURE] == QUADRATURE_EXACT;
     w->distance_by = (int)par[P_DISTANCE];
-    w->extrapolate = par[P_SPURIOUS] > SPURIOUS_CONSTANT;
-    w->literal = par[P_AVERAGE] > AVERAGE_WEIGHTED;
-    w->corrected = par[P_MASS] > MASS_LUMPED;
+    w->extrapolate = (int)par[P_SPURIOUS] == SPURIOUS_EXTRAPOLATE;
+    w->literal = (int)par[P_AVERAGE] == AVERAGE_LITERAL;
+    w->corrected = (int)par[P_MASS] == MASS_CORRECTED;
     w->hermite = par[P_HERMITE] * par[P_HERMITE];
     w->trigger = par[P_TRIGGER];
-    w->inside = 2 * sim->setup->ppc / CORNERS; /* the paper's 2, at its two particles an axis */
+    w->inside =
+        2 * sim->setup->ppc / (double)CORNERS; /* the paper's 2, at its two particles an axis */
     const double denser = sim->method.surface_per_cell / pow(sim->setup->ppc, 1.0 / DIM);
     w->surface_beta = denser > 0 ? 1 / denser : 1;
     w->fit = nodes_of(n, sizeof *w->fit);
@@ -59,7 +60,7 @@ void wls_adapt(const double par[], Method *own)
 {
     own->surface_per_cell = par[P_SURFACE_PER_CELL];
     own->keeps_L = par[P_HERMITE] > 0;
-    if (par[P_RETURN] < RETURN_SPLINE) return;
+    if ((int)par[P_RETURN] != RETURN_SPLINE) return;
     own->width = spline_width;
     own->shape = spline_shape;
     own->wall_images = true;

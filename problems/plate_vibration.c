@@ -21,7 +21,7 @@ static const Param params[] = {
 
 static int init(Scene *s, char why[128])
 {
-    const bool shear = s->par[MODE] < DILATATIONAL;
+    const bool shear = (int)s->par[MODE] == SHEAR;
     (void)why;
     s->mat = material_make((Law)s->par[LAW], 1000, s->par[NU], 1);
     for (int d = 0; d < DIM; d++) {

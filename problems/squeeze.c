@@ -55,14 +55,14 @@ static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
 
 static void exact(const Scene *s, int n, ConstFields X, double t, Fields v)
 {
-    const bool quadratic = s->par[FIELD] > FIELD_LINEAR;
+    const bool quadratic = (int)s->par[FIELD] == FIELD_QUADRATIC;
     (void)t;
     for (int p = 0; p < n; p++) v[0][p] = (1 + X[0][p]) * (quadratic ? 1 + X[0][p] : 1);
 }
 
 static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fields F, Fields L)
 {
-    const bool quadratic = s->par[FIELD] > FIELD_LINEAR;
+    const bool quadratic = (int)s->par[FIELD] == FIELD_QUADRATIC;
     (void)u, (void)F;
     exact(s, n, X, 0, v);
     for (int p = 0; p < n; p++) L[0][p] = quadratic ? 2 * (1 + X[0][p]) : 1;

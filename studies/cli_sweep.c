@@ -155,7 +155,7 @@ static int run_sweep(SweepArgs *args, Fault *fault)
                          .tables = tables,
                          .script = "sweep"};
     sweep_arrange(&args->sweep);
-    if (sweep_size(&args->sweep) > MOST_CASES)
+    if (sweep_size(&args->sweep) > (double)MOST_CASES)
         return fault_set(fault, FAULT_USAGE, "sweep: got %g cases, takes at most %d",
                          sweep_size(&args->sweep), MOST_CASES);
     int code = sweep_choose(&args->sweep, stderr, fault);

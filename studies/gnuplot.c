@@ -43,7 +43,7 @@ static double now(void)
 static int wait_for(pid_t pid, const Signals *signals)
 {
     int status, why = TOO_LATE;
-    for (double left = LIMIT, end = now() + LIMIT; left > 0; left = end - now()) {
+    for (double left = LIMIT, end = now() + left; left > 0; left = end - now()) {
         if (waitpid(pid, &status, WNOHANG) == pid)
             return WIFEXITED(status) ? WEXITSTATUS(status) : KILLED;
         if (!signals_wait(signals, left < 0.1 ? left : 0.1)) continue;

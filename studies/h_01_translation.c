@@ -206,7 +206,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
 static void check(Check *c, const Table *rows, const char *dir)
 {
     Table *t = claim_part(c, dir, "force");
-    const double share = 2 * STRETCH / PER_CELL;
+    const double share = 2 * STRETCH / (double)PER_CELL;
     claim(c, "H1.nodes", "nodes of the bar's coarsest mesh, each at another offset",
           value_pick(t, "nodes", "method=mpm kind=bar cells=%d", kinds[0].cells[0]), 200, 1000);
     claim(

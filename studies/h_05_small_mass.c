@@ -35,7 +35,7 @@ static const double depths[DEPTHS] = {0.1, 0.03, 0.01, 0.003, 0.001, 1e-4}; /* e
 static const struct {
     const char *name;
     double beyond;
-} edges[EDGES] = {{"particle", 0}, {"box", 0.5 / PER_CELL}, {"spline", 0.5}};
+} edges[EDGES] = {{"particle", 0}, {"box", 0.5 / (double)PER_CELL}, {"spline", 0.5}};
 
 /* The block by dimension; speeds of its P waves, which limit the step, and in its dt0 [m/s]. */
 static const struct {
@@ -55,7 +55,7 @@ static double place(int edge, int depth)
 /* How far the block, whose end is on a node at first, is moved for that [cells]. */
 static double offset(int edge, int depth)
 {
-    return place(edge, depth) + 0.5 / PER_CELL;
+    return place(edge, depth) + 0.5 / (double)PER_CELL;
 }
 
 static void add_ladder(Cases *list, int dim, const char *method, int e, int d)
@@ -130,12 +130,12 @@ static void assemble(const char *method, double x, double m[NODES], gsl_matrix *
         for (size_t i = 0; i < NODES; i++) {
             const double end = CELLS + 4 + x; /* of the last particle, from node 0 */
             double S = 0, slope = 0;
-            engine_1d.weight(method, end - (double)p / PER_CELL - (double)i, 0.5 / PER_CELL, &S,
-                             &slope);
-            m[i] += S / PER_CELL;
+            engine_1d.weight(method, end - (double)p / (double)PER_CELL - (double)i,
+                             0.5 / (double)PER_CELL, &S, &slope);
+            m[i] += S / (double)PER_CELL;
             gsl_vector_set(G, i, slope);
         }
-        gsl_blas_dger(1.0 / PER_CELL, G, G, K);
+        gsl_blas_dger(1 / (double)PER_CELL, G, G, K);
     }
     gsl_vector_free(G);
 }

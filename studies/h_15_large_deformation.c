@@ -125,7 +125,7 @@ static int column_of(const Table *rows, int row, bool quick)
     if (bar) return table_number(rows, row, "t_end") > 2 * bar_end ? TURNS : -1;
     for (int k = 0; k < TURNS; k++)
         if (fabs(row_setting(rows, row, "G") - turns[k]) < 1e-12 &&
-            (quick || fabs(table_number(rows, row, "cells") - FINE) < 0.5))
+            (quick || fabs(table_number(rows, row, "cells") - (double)FINE) < 0.5))
             return k;
     return -1;
 }

@@ -201,6 +201,6 @@ void plateau_add(Cases *list, const char *const names[], bool quick)
 
 double plateau_error(void)
 {
-    const double h = 1.0 / PLATEAU_CELLS;
+    const double h = 1 / (double)PLATEAU_CELLS;
     return h * h / 6 / pow(1 + h, 2);
 }

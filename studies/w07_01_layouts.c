@@ -20,10 +20,11 @@ static void cases(Cases *list, bool quick)
 
 static int count_inside(const Table *t)
 {
+    const double N = CELLS, first = FIRST, last = LAST;
     int n = 0;
     for (int row = 0; t && row < t->nrow; row++) {
-        double x = CELLS * table_number(t, row, "X"), y = CELLS * table_number(t, row, "Y");
-        n += x >= FIRST && x <= LAST && y >= FIRST && y <= LAST && table_number(t, row, "mass") > 0;
+        const double x = N * table_number(t, row, "X"), y = N * table_number(t, row, "Y");
+        n += x >= first && x <= last && y >= first && y <= last && table_number(t, row, "mass") > 0;
     }
     return n;
 }

@@ -17,7 +17,7 @@ static void write_shapes(FILE *f)
     fputs("method,r,S,G\n", f);
     for (int m = 0; m < 2; m++)
         for (int k = -REACH; k <= REACH; k++) {
-            double S = NAN, G = NAN, r = (double)k / PARTS;
+            double S = NAN, G = NAN, r = k / (double)PARTS;
             engine_1d.weight(methods[m], r, half_width, &S, &G);
             fprintf(f, "%s,%.17g,%.17g,%.17g\n", methods[m], r, S, G);
         }
@@ -69,7 +69,7 @@ static void check(Check *c, const Table *rows, const char *dir)
     claim(c, "W07-2.gimp-smooth",
           "GIMP is C1: between samples h/256 apart its gradient changes by no more than "
           "(h/256)/(l h)",
-          jump(&curve), 0, 1.000001 / (PARTS * half_width));
+          jump(&curve), 0, 1.000001 / ((double)PARTS * half_width));
 }
 
 const Study study_w07_02_shapes = {

@@ -31,8 +31,8 @@ static void write_lines(FILE *f, const Table *particles, int p)
     double x = table_number(particles, p, "x"), v = table_number(particles, p, "vx");
     double L = 2 * (1 + x); /* of the prescribed field */
     for (int i = 0; i <= CELLS; i++) {
-        double S = 0, G, node = (double)i / CELLS;
-        engine_1d.weight("mpm", CELLS * x - i, 0.5, &S, &G);
+        double S = 0, G, node = i / (double)CELLS;
+        engine_1d.weight("mpm", (double)CELLS * x - i, 0.5, &S, &G);
         if (S > 0)
             fprintf(f, "%d,%.17g,%.17g,%.17g,%.17g,%.17g\n", p, x, v, node, v + L * (node - x), S);
     }

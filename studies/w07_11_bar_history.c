@@ -19,7 +19,7 @@ static void cases(Cases *list, bool quick)
         snprintf(file, sizeof file, "w07_11_bar_history.%d.csv", k);
         case_add_with(list, "particles", file,
                       "run bar --method gimp --t-end %.17g --set particles=%d",
-                      period * k / A_PERIOD, PARTICLES);
+                      period * k / (double)A_PERIOD, PARTICLES);
     }
     case_add_with(list, "particles", "w07_11_bar_history.fine.csv",
                   "run bar --method gimp --cells 160 --t-end %.17g --set particles=%d", period / 4,
@@ -54,7 +54,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
     for (int k = 1; f && k <= INSTANTS; k++) {
         snprintf(part, sizeof part, "%d", k);
         Table *t = quick && k % 8 ? NULL : part_read(dir, name, part, NULL);
-        if (t) write_instant(f, t, period * k / A_PERIOD, file_status(&files, part));
+        if (t) write_instant(f, t, period * k / (double)A_PERIOD, file_status(&files, part));
         table_free(t);
     }
     files_close(&files);

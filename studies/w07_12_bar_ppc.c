@@ -131,7 +131,7 @@ static Measure order(const Table *rows, int method, const char *error)
                        .value;
             add_sum(&all, e[i]);
         }
-        sum += order_of_all(MESHES, h, e) / ORDERS;
+        sum += order_of_all(MESHES, h, e) / (double)ORDERS;
     }
     return with_value(all, sum);
 }

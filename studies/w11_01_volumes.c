@@ -51,13 +51,14 @@ static Measure area_of(const Files *files, const char *part, double right)
 /* Lays GIMP's boxes (half width h/4 times Fxx, Fyy) onto samples of the plane. */
 static void lay_boxes(const Table *t, unsigned char *times)
 {
+    const double fine = FINE, l = 0.25 / (double)CELLS;
     for (int row = 0; row < t->nrow; row++) {
-        const double l = 0.25 / CELLS, x = table_number(t, row, "x"), y = table_number(t, row, "y");
+        const double x = table_number(t, row, "x"), y = table_number(t, row, "y");
         const double a = l * table_number(t, row, "Fxx"), b = l * table_number(t, row, "Fyy");
-        const int i0 = (int)fmax(0, ceil((x - a) * FINE - 0.5));
-        const int j0 = (int)fmax(0, ceil((y - b) * FINE - 0.5));
-        for (int j = j0; j < FINE && j + 0.5 < (y + b) * FINE; j++)
-            for (int i = i0; i < FINE && i + 0.5 < (x + a) * FINE; i++) times[j * FINE + i]++;
+        const int i0 = (int)fmax(0, ceil((x - a) * fine - 0.5));
+        const int j0 = (int)fmax(0, ceil((y - b) * fine - 0.5));
+        for (int j = j0; j < FINE && j + 0.5 < (y + b) * fine; j++)
+            for (int i = i0; i < FINE && i + 0.5 < (x + a) * fine; i++) times[j * FINE + i]++;
     }
 }
 
@@ -67,7 +68,7 @@ static void count_boxes(const unsigned char *times, double *gaps, double *overla
     long in = 0, empty = 0, twice = 0;
     for (int j = 0; j < FINE; j++)
         for (int i = 0; i < FINE; i++) {
-            const double r = hypot(i + 0.5, j + 0.5) / FINE;
+            const double r = hypot(i + 0.5, j + 0.5) / (double)FINE;
             const bool inside = r > late_inner && r < late_outer;
             in += inside;
             empty += inside && !times[j * FINE + i];

@@ -35,7 +35,7 @@ static void weigh(const Table *t, double most[SIDE][SIDE])
     for (int row = 0; row < t->nrow; row++) {
         const double X = table_number(t, row, "X"), Y = table_number(t, row, "Y"), R = hypot(X, Y);
         const double stretch = 1 + 0.1 * (6 - 9 * R + 4 * R * R); /* problems/ring.c at t = 0 */
-        const double x = CELLS * X * stretch, y = CELLS * Y * stretch;
+        const double n = (double)CELLS * stretch, x = n * X, y = n * Y;
         for (int j = 0; j < SIDE; j++)
             for (int i = 0; i < SIDE; i++)
                 most[j][i] = worse(most[j][i], spline(x - i) * spline(y - j));
@@ -48,7 +48,7 @@ static void write_nodes(FILE *f, double most[SIDE][SIDE], const char *status)
     for (int j = 0; j < SIDE; j++)
         for (int i = 0; i < SIDE; i++)
             if (!(most[j][i] <= 0))
-                fprintf(f, "%.17g,%.17g,%.17g,%d,%s\n", (double)i / CELLS, (double)j / CELLS,
+                fprintf(f, "%.17g,%.17g,%.17g,%d,%s\n", i / (double)CELLS, j / (double)CELLS,
                         most[j][i], !(most[j][i] > trigger), status);
 }
 

@@ -32,7 +32,7 @@ static double fma_gflops(void)
     const double spent = seconds() - start;
     double sum = 0;
     for (int k = 0; k < CHAINS; k++) sum += x[k][0];
-    return sum > 0 ? 2e-9 * LANES * CHAINS * (double)ROUNDS / spent : 0;
+    return sum > 0 ? 2e-9 * (double)(LANES * CHAINS) * (double)ROUNDS / spent : 0;
 }
 
 /* Every number of a large array read and written in place. */

@@ -89,7 +89,12 @@ run --version
 ok "version" test "$status" -eq 0 -a "$(lines out)" -eq 5
 ok "version knows its dimensions and OpenMP" grep -qE '^dimensions 1 2|^OpenMP ([0-9]+|none)$' out
 run --man
-ok "a manual page that troff takes" test "$(man --warnings -l -Tutf8 out 2>&1 >/dev/null | wc -l)" -eq 0
+ok "a manual page" grep -q '^\.TH' out
+if command -v man >/dev/null; then
+    ok "a manual page that troff takes" test "$(man --warnings -l -Tutf8 out 2>&1 >/dev/null | wc -l)" -eq 0
+else
+    echo "SKIPPED the manual page's syntax: no man"
+fi
 run study --help
 cp out help
 run --man

@@ -1,6 +1,13 @@
 #!/usr/bin/env bash
-# deps.sh: installs the Debian packages named, those that are missing.
+# deps.sh [-o] PACKAGE...: installs the Debian packages named, those that are missing. With -o they are optional: what
+# this release does not have, or cannot install, is
+# SKIPPED with apt's reason.
 set -u
+optional=
+if [ "${1:-}" = -o ]; then
+    optional=yes
+    shift
+fi
 if ! command -v apt-get >/dev/null; then
     echo "deps: there is no apt-get here; install what these Debian packages hold: $*" >&2
     exit 1
@@ -19,6 +26,16 @@ if [ "$(id -u)" -ne 0 ]; then
     fi
     root=(sudo)
 fi
-"${root[@]}" apt-get -qq update &&
+add() {
     "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
-        apt-get -qq install --yes --no-install-recommends "${missing[@]}" >/dev/null
+        apt-get -qq install --yes --no-install-recommends "$@" >/dev/null
+}
+"${root[@]}" apt-get -qq update || exit 1
+if [ -z "$optional" ]; then
+    add "${missing[@]}"
+    exit
+fi
+add "${missing[@]}" 2>/dev/null && exit 0
+for package in "${missing[@]}"; do
+    why=$(add "$package" 2>&1) || echo "SKIPPED $package: ${why##*$'\n'}"
+done

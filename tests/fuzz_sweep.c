@@ -67,7 +67,7 @@ static const char *take_line(Sweep *s, char *line)
 static const char *check_cases(Sweep *s)
 {
     static char text[MOST_CASES][SPEC_TEXT];
-    const int n = sweep_size(s) < MOST_CASES ? (int)sweep_size(s) : MOST_CASES;
+    const int n = sweep_size(s) < (double)MOST_CASES ? (int)sweep_size(s) : MOST_CASES;
     for (int k = 0; k < n; k++) {
         RunSpec spec;
         const Engine *engine;

@@ -29,7 +29,7 @@ check() { # DIM, rooms
         --suppress=arrayIndexOutOfBounds `# it does not follow branches on DIM` \
         --error-exitcode=1 -j "$(nproc)" "-DDIM=$1" "${@:2}" || complain "cppcheck, DIM=$1"
 }
-have shellcheck && { shellcheck -S warning tests/*.sh || complain "shellcheck"; }
+have shellcheck && { shellcheck -S warning tests/*.sh tests/tools/*.sh || complain "shellcheck"; }
 have cppcheck && { check 1 common methods; check 2 common methods problems fem_ref studies tests; }
 
 # Include rules: who may see whom.
@@ -56,7 +56,7 @@ done | grep . && complain "too long"
 
 for compiler in gcc clang; do
     have $compiler || continue
-    make -s -k -j "$(nproc)" CC=$compiler BUILD="$BUILD/$compiler" OMP= all >"$BUILD.log" 2>&1 ||
+    make -s -k -j "$(nproc)" CC=$compiler BUILD="$BUILD/$compiler" OMP= WERROR=-Werror objects >"$BUILD.log" 2>&1 ||
         { complain "$compiler"; head -n 40 "$BUILD.log"; }
 done
 # Calls through pointers: one a stage and chunk, none a particle. The loops over particles hold none at all.

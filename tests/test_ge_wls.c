@@ -17,10 +17,11 @@ static double circle_area(double x, double y, double R)
     enum { STRIPS = 20000 };
     double sum = 0;
     for (int k = 0; k < STRIPS; k++) {
-        const double s = (k + 0.5) / STRIPS - x, half = R * R > s * s ? sqrt(R * R - s * s) : 0;
+        const double s = (k + 0.5) / (double)STRIPS - x,
+                     half = R * R > s * s ? sqrt(R * R - s * s) : 0;
         sum += fmax(0, fmin(1, y + half) - fmax(0, y - half));
     }
-    return sum / STRIPS;
+    return sum / (double)STRIPS;
 }
 
 /* The same by the cell's own rule; inside out: what is beyond the circle. */

@@ -190,7 +190,7 @@ static void test_folded(void)
     const Axis axis = {.wall_lo = 10, .wall_hi = 14};
     Stencil folded, plain;
     Field x, b = {0};
-    for (int p = 0; p < CHUNK; p++) x[p] = 10 + 4 * (p + 0.5) / CHUNK;
+    for (int p = 0; p < CHUNK; p++) x[p] = 10 + 4 * (p + 0.5) / (double)CHUNK;
     check_folded(x);
     folded_shape(&axis, 3, x, b, &folded), spline_shape(&axis, 3, x, b, &plain);
     for (int p = 0; p < CHUNK; p++)

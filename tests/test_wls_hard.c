@@ -4,7 +4,7 @@
 
 extern const Method method_wls, method_wls2, method_ge_wls;
 
-enum { H = 16 }; /* cells per unit length */
+#define H 16 /* cells per unit length */
 
 /* Points of a lattice of `n` an axis and cell within lo .. hi where `keep` says so. */
 static void lattice(Layout *out, const Vec lo, const Vec hi, double n, bool (*keep)(const Vec X))
