@@ -91,11 +91,11 @@ CORE_DIMS   = 1 2 3
 CORE_3      = main_3d rig twin twin_filter twin_make \
               $(patsubst %,test_%,twin shapes material exact remedies)
 CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
-              $(patsubst %,test_%,invariants hard order dynamics spots rules status methods wls_hand)
+              $(patsubst %,test_%,invariants hard order dynamics spots rules status methods wls_hand measures)
 CORE_2      = $(CORE_1)
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
 WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_ge_wls test_axis_mms test_vortex
-SCENE_TESTS = test_disk_plate test_snapshot test_peers
+SCENE_TESTS = test_disk_plate test_snapshot test_peers test_loads
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 
 $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
@@ -104,7 +104,7 @@ $(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
 
 $(BUILD)/tests/test_found.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/found"'
 $(BUILD)/d2/tests/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/peers"'
-$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files test_study test_found check) \
+$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files test_study test_effort test_found check) \
   $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 

@@ -16,6 +16,7 @@ extern const TestCase status_tests[];
 extern const TestCase methods_tests[];
 extern const TestCase remedies_tests[];
 extern const TestCase wls_hand_tests[];
+extern const TestCase measures_tests[];
 
 int main(void)
 {
@@ -34,6 +35,7 @@ int main(void)
         {"methods", methods_tests},
         {"remedies", remedies_tests},
         {"WLS by hand", wls_hand_tests},
+        {"measures", measures_tests},
         {"hard cases", hard_tests},
         {NULL, NULL},
     };
