@@ -155,7 +155,7 @@ $(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,bench twin twin_filter 
   $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
-# Twenty-odd seeded faults in the mathematics: the tests must see each.
+# Seeded faults in all parts of the program, a line each in tests/mutants.list: the tests must see each.
 mutants:
 	JOBS=$(JOBS) bash tests/mutants.sh $(BUILD)/mutants
 
@@ -221,7 +221,7 @@ deps:
 
 deps-extra:
 	@bash tests/deps.sh clang clang-tidy clang-format cppcheck valgrind shellcheck libclang-rt-14-dev \
-	  libomp-14-dev python3-vtk9 python3-numpy chromium chromium-driver curl parallel slurm-wlm munge
+	  libomp-14-dev python3-vtk9 python3-numpy chromium chromium-driver curl parallel slurm-wlm munge ccache
 
 clean:
 	rm -rf $(BUILD)
