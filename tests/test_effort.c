@@ -67,12 +67,14 @@ static void test_reach(void)
  * prolonged. */
 static void test_reach_ends(void)
 {
-    Effort list[] = {point("a", 512, 2), point("b", 64, 2), point("b", 100, 2),
-                     point("b", 256, 2), point("c", 64, 2), point("c", 128, 2)};
+    Effort list[] = {point("a", 512, 2), point("b", 64, 2),  point("b", 100, 2),
+                     point("b", 256, 2), point("c", 64, 2),  point("c", 128, 2),
+                     point("d", 64, 2),  point("d", 128, 2), point("d", 256, 2)};
     list[2].usable = false;
     list[5].error = 0.5 * list[4].error; /* of order 1 */
-    Table *t = reach(list, 6);
-    CU_ASSERT_FATAL(t->nrow == 9);
+    list[8].error = 0.5 * list[7].error; /* of order 1 after 2 */
+    Table *t = reach(list, 9);
+    CU_ASSERT_FATAL(t->nrow == 12);
     CHECK_TEXT(table_text(t, 0, "how"), "below");
     CHECK_CLOSE(table_number(t, 0, "cells"), 512, 0);
     check_cost(t, 3, "reached", 2);
