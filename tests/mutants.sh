@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # mutants.sh FOLDER [PATTERN]: do the tests see faults? Builds the tests below FOLDER, applies the faults of
-# mutants.list (those whose description matches PATTERN) one at a time to a copy of that tree, rebuilds what the
+# mutants.list (those whose line matches PATTERN) one at a time to a copy of that tree, rebuilds what the
 # fault touches and runs the trials that the list names until one fails, as one must. JOBS faults at once.
 # mutants.sh --check: only whether every fault still applies. One that does not is an error, as is a trial that
 # has no test, fails without a fault or does not compile.
@@ -14,7 +14,7 @@ wrong=0
 while IFS='|' read -r path trial rest; do
     case $path in '' | '#'*) continue ;; esac
     sed=${rest%|*} about=${rest##*|}
-    grep -q -- "$pattern" <<<"$about" || continue
+    grep -q -- "$pattern" <<<"$path|$trial|$rest" || continue
     file+=("$path") trials+=("$trial") change+=("$sed") what+=("$about")
     [ -f "$root/$path" ] || { wrong=1 && say "mutants: no such file: $path: $about" && continue; }
     sed "$sed" "$root/$path" | cmp -s - "$root/$path" && wrong=1 && say "mutants: no longer applies: $path: $about"
