@@ -43,7 +43,12 @@ try() { # number of a fault, TREE: prints one line
     sed -i "${change[$1]}" "$tree/${file[$1]}"
     while read -r -d, trial; do
         build "$tree" 1 "build/tests/${trial%%:*}" || { verdict=broken && break; }
-        run "$tree" "$trial" || { verdict=caught && break; }
+        run "$tree" "$trial"
+        case $? in
+        0) ;;
+        124) verdict=timeout && break ;; # not seen: the machine may be slow
+        *) verdict=caught && break ;;
+        esac
     done <<<"${trials[$1]},"
     say "$(printf '%-7s %2d %3d s  %s: %s' "$verdict" $(($1 + 1)) $((SECONDS - seconds)) "${file[$1]}" "${what[$1]}")"
 }
