@@ -166,10 +166,12 @@ static void test_von_mises(void)
     State now;
     CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", CD, NULL));
     Sim *sim = rig_sim(&r);
+    sim_sort(sim);
     for (int k = 0; k < NMAT; k++)
         for (int p = 0; p < sim->p.n; p++)
             sim->p.field[AT_F + k][p] = (k % (DIM + 1) == 0) + rig_random(-0.2, 0.2);
     CU_ASSERT_FATAL(state_of_points(&now, &r.plan.scene, &particle_solver, sim, NULL) == 0);
+    CU_ASSERT(now.n == sim->p.count && now.n >= 32);
     for (int k = 0; k < now.n; k++) {
         const double *s = now.sigma[k], mean = (s[0] + s[4] + s[8]) / 3;
         double square = 0;
