@@ -45,7 +45,7 @@ static void fill(Set *s)
     }
 }
 
-static double size_of(const double v[DIM][N], int p)
+static double size_of(double v[DIM][N], int p)
 {
     double square = 0;
     for (int d = 0; d < DIM; d++) square += v[d][p] * v[d][p];
