@@ -26,7 +26,7 @@ static Errors norms(int n, const double e[], const double w[])
     double most = 0, square = 0, sum = 0, weight = 0;
     for (int k = 0; k < n; k++) {
         if (!(w[k] > 0)) continue;
-        most = e[k] <= most ? most : e[k];
+        most = isnan(most) || e[k] <= most ? most : e[k];
         square += w[k] * e[k] * e[k];
         sum += w[k] * e[k];
         weight += w[k];

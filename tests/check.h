@@ -19,7 +19,8 @@ typedef struct TestSuite {
     const TestCase *tests;
 } TestSuite;
 
-/* Runs the suites (ended by a NULL name). The exit status: 0, or 1 if anything failed. */
+/* Runs the suites (ended by a NULL name), or of their tests only those whose "suite: test" contains
+ * the environment's ONLY. The exit status: 0, 1 if anything failed, 2 if no test was run. */
 int check_run(const TestSuite *suites);
 
 /* |a - b| <= tolerance; NAN is never close. */

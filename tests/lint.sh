@@ -45,6 +45,8 @@ found=$(grep -rnE '#\s*(el)?if.*\bDIM\b' --include='*.[ch]' --exclude-dir=build 
 found=$(grep -nE 'str(n)?cmp *\([^;]*"(mpm|gimp|ge_mpm|ge_gimp|wls|wls2|ge_wls|fem)"' \
     common/*.[ch] problems/*.[ch] studies/*.[ch]) && complain "branches on a method's name"$'\n'"$found"
 
+bash tests/mutants.sh --check || complain "tests/mutants.list"
+
 # Lengths: a function starts at a line in column 0 and ends at a brace in column 0.
 for file in "${sources[@]}"; do
     awk -v file="$file" '

@@ -15,6 +15,8 @@ extern const TestCase rules_tests[];
 extern const TestCase status_tests[];
 extern const TestCase methods_tests[];
 extern const TestCase remedies_tests[];
+extern const TestCase wls_hand_tests[];
+extern const TestCase measures_tests[];
 
 int main(void)
 {
@@ -32,6 +34,8 @@ int main(void)
         {"status", status_tests},
         {"methods", methods_tests},
         {"remedies", remedies_tests},
+        {"WLS by hand", wls_hand_tests},
+        {"measures", measures_tests},
         {"hard cases", hard_tests},
         {NULL, NULL},
     };

@@ -268,7 +268,7 @@ static void test_plate_displacement(void)
     }
 }
 
-extern const TestCase snapshot_tests[];
+extern const TestCase snapshot_tests[], peers_tests[], loads_tests[];
 
 static const TestCase scene_tests[] = {
     {"disk: rings, surface, normals", test_disk_points},
@@ -285,7 +285,10 @@ static const TestCase scene_tests[] = {
 
 int main(void)
 {
-    const TestSuite suites[] = {
-        {"disk and plate", scene_tests}, {"snapshots", snapshot_tests}, {NULL, NULL}};
+    const TestSuite suites[] = {{"disk and plate", scene_tests},
+                                {"snapshots", snapshot_tests},
+                                {"loads", loads_tests},
+                                {"codes of other authors", peers_tests},
+                                {NULL, NULL}};
     return check_run(suites);
 }

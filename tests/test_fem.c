@@ -60,6 +60,28 @@ static bool is_inside(const Fem *f, int i)
     return x > near && y > near && x < 1 - near && y < 1 - near && hypot(x, y) > 0.5 + near;
 }
 
+/* F and sigma = T/J of every node where all elements have the scene's G. */
+static void check_uniform(const Fem *f)
+{
+    static double store[2 * NMAT][1000];
+    double *F[NMAT], *sigma[NMAT];
+    const double *now[NMAT];
+    Field G[NMAT], T[NMAT];
+    for (int k = 0; k < NMAT; k++) {
+        F[k] = store[k], sigma[k] = store[NMAT + k], now[k] = G[k];
+        for (int p = 0; p < CHUNK; p++) G[k][p] = f->scene->k[k];
+    }
+    CU_ASSERT_FATAL(f->nodes <= 1000);
+    kirchhoff(&f->scene->mat, now, T);
+    solver_fem.point_stress(f, F, sigma);
+    const double J = determinant(f->scene->k), E = f->scene->mat.E;
+    for (int i = 0; i < f->nodes; i++)
+        for (int k = 0; k < NMAT; k++) {
+            CHECK_CLOSE(F[k][i], f->scene->k[k], 1e-13);
+            CHECK_CLOSE(sigma[k][i], T[k][0] / J, 1e-12 * E);
+        }
+}
+
 /* A uniform strain is seen exactly by every element and leaves the nodes inside without force. */
 static void test_patch(void)
 {
@@ -70,6 +92,7 @@ static void test_patch(void)
         double inside = 0, outside = 0, dt = 1e-6;
         for (int e = 0; e < f->elements; e++)
             for (int k = 0; k < NMAT; k++) CHECK_CLOSE(f->F[k][e], affine[k], 1e-13);
+        check_uniform(f);
         CU_ASSERT(solver_fem.step(f, 0, dt, true).code == OK);
         for (int i = 0; i < f->nodes; i++) {
             double *worst = is_inside(f, i) ? &inside : &outside;
@@ -99,16 +122,7 @@ static void test_rotation(void)
     const double angle = 77 * M_PI / 180, c = cos(angle), q = sin(angle);
     const Scene s = plate(&strained, (Mat){c, -q, q, c});
     Fem *f = make(&s, 16, 1);
-    static double store[2 * NMAT][1000];
-    double *F[NMAT], *sigma[NMAT];
-    CU_ASSERT_FATAL(f->nodes <= 1000);
-    for (int k = 0; k < NMAT; k++) F[k] = store[k], sigma[k] = store[NMAT + k];
-    solver_fem.point_stress(f, F, sigma);
-    for (int i = 0; i < f->nodes; i++)
-        for (int k = 0; k < NMAT; k++) {
-            CHECK_CLOSE(F[k][i], s.k[k], 1e-13);
-            CHECK_CLOSE(sigma[k][i], 0, 1e-12 * s.mat.E);
-        }
+    check_uniform(f);
     CU_ASSERT(solver_fem.step(f, 0, 1e-3, true).code == OK);
     for (int i = 0; i < f->nodes; i++) CHECK_CLOSE(hypot(f->v[0][i], f->v[1][i]), 0, 1e-8 * s.c);
     solver_fem.free(f);

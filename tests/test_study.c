@@ -157,6 +157,7 @@ static void test_wrong_pages(void)
 
 static Table *table_of(const char *text)
 {
+    mkdir("scratch", 0777), mkdir(dir, 0777);
     FILE *f = fopen("scratch/study/page.part.csv", "w");
     CU_ASSERT_PTR_NOT_NULL_FATAL(f);
     fputs(text, f);

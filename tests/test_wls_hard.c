@@ -1,5 +1,7 @@
 /* test_wls_hard.c: bodies that ask too much of WLS: whatever happens has a name, and is counted. */
+#include <stdlib.h>
 #include "../common/place.h"
+#include "../methods/wls.h"
 #include "wls_check.h"
 
 extern const Method method_wls, method_wls2, method_ge_wls;
@@ -232,8 +234,58 @@ static void test_thin(void)
 }
 
 extern const TestCase wls_hard_tests[];
+/* Force over mass of the sound nodes around node `at`; returns their number. */
+static int neighbours_move(const Sim *sim, size_t at, Vec acc)
+{
+    const Grid *g = &sim->g;
+    double mass = 0;
+    int n = 0;
+    for (int a = 0; a < DIM; a++) acc[a] = 0;
+    for (int k = 0; k < 9; k++) {
+        const size_t j =
+            at + (size_t)(k / 3) * (size_t)g->n[0] + (size_t)(k % 3) - (size_t)g->n[0] - 1;
+        if (!wls_is_sound(sim, j)) continue;
+        n++;
+        mass += g->node[j][0];
+        for (int a = 0; a < DIM; a++)
+            acc[a] += g->node[j][FLUX + a] + g->force[j * DIM + (size_t)a];
+    }
+    for (int a = 0; a < DIM && n; a++) acc[a] /= mass;
+    return n;
+}
+
+/* A node under a particle that no cell gave mass moves with a = sum f / sum m of the sound ones. */
+static void test_massless(void)
+{
+    Trial t;
+    int massless = 0;
+    trial_open(&t, "ring", "wls2", 12, "sector=full,offset_x=.3,offset_y=.1", 1);
+    const Grid *g = &t.sim->g;
+    const size_t n = (size_t)g->rows * (size_t)g->n[0];
+    bool *light = calloc(n, sizeof *light);
+    for (size_t at = 0; at < n; at++) g->node[at] = (Line){0};
+    for (size_t k = 0; k < n * DIM; k++) g->force[k] = 0;
+    wls_assemble(t.sim, 0, true);
+    for (size_t at = 0; at < n; at++) light[at] = !(g->node[at][0] > t.sim->mass_cut);
+    wls_repair(t.sim, 1e-4);
+    for (int row = 1; row + 1 < g->rows; row++)
+        for (int i = g->lo[row]; i < g->hi[row]; i++) {
+            const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
+            Vec acc;
+            if (!light[at] || !(wls_of(t.sim)->fit[at][FIT_MOMENTS][M_ONE] > 0)) continue;
+            if (!neighbours_move(t.sim, at, acc)) continue;
+            massless++;
+            for (int a = 0; a < DIM; a++)
+                CHECK_CLOSE(g->node[at][FLUX + a] / g->node[at][0], acc[a], 1e-9 * fabs(acc[a]));
+        }
+    CU_ASSERT(massless > 10);
+    free(light);
+    trial_close(&t);
+}
+
 const TestCase wls_hard_tests[] = {
     {"thin strip, sharp corner, slit, gaps, too few: named ends, counted", test_hard},
     {"so few particles that no cell has mass: nodes still move with them", test_thin},
+    {"nodes without mass move with their neighbours", test_massless},
     {NULL, NULL},
 };
