@@ -15,6 +15,8 @@ extern const TestCase rules_tests[];
 extern const TestCase status_tests[];
 extern const TestCase methods_tests[];
 extern const TestCase remedies_tests[];
+extern const TestCase mass_tests[];
+extern const TestCase ledger_tests[];
 
 int main(void)
 {
@@ -33,6 +35,8 @@ int main(void)
         {"methods", methods_tests},
         {"remedies", remedies_tests},
         {"hard cases", hard_tests},
+        {"mass", mass_tests},
+        {"ledger", ledger_tests},
         {NULL, NULL},
     };
     return check_run(suites);
