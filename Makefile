@@ -94,9 +94,9 @@ FAULT_TEST  = bash tests/faults.sh $(BUILD)/mpmlab $(BUILD)/tests
 FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/%.o,fuzz_run fuzz_sweep fuzz_files fuzz_tools)
 CORE_DIMS   = 1 2 3
 CORE_3      = main_3d rig twin twin_filter twin_make \
-              $(patsubst %,test_%,twin shapes material exact remedies)
+              $(patsubst %,test_%,twin shapes material exact remedies mass)
 CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
-              $(patsubst %,test_%,invariants hard order dynamics spots rules status methods wls_hand measures)
+              $(patsubst %,test_%,invariants hard order dynamics spots rules status methods wls_hand measures ledger)
 CORE_2      = $(CORE_1)
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
 WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_ge_wls test_axis_mms test_vortex

@@ -32,7 +32,9 @@ int write_errors(const char *path, const Scene *scene, const Points *p, double t
         if (k < 0) continue;
         fprintf(out, "%d,%.17g,", id, p->X[0][k]);
         if (DIM > 1) fprintf(out, "%.17g", p->X[DIM > 1][k]);
-        fprintf(out, ",%.17g,%.17g\n", s->w[k], p->V0[k]);
+        fputs(",", out);
+        if (!isnan(s->w[k])) fprintf(out, "%.17g", s->w[k]);
+        fprintf(out, ",%.17g\n", p->V0[k]);
     }
     free(slot);
     return out ? file_commit(out, path, fault) : FAULT_MACHINE;

@@ -20,7 +20,9 @@ void scratch_free(Scratch *s)
     *s = (Scratch){0};
 }
 
-/* Norms of e[] with weights w[]; a NaN error makes every norm NaN. */
+const Errors no_errors = {NAN, NAN, NAN};
+
+/* Norms of e[] with weights w[]; a NaN error makes every norm NaN, and so does the lack of any. */
 static Errors norms(int n, const double e[], const double w[])
 {
     double most = 0, square = 0, sum = 0, weight = 0;
@@ -31,6 +33,7 @@ static Errors norms(int n, const double e[], const double w[])
         sum += w[k] * e[k];
         weight += w[k];
     }
+    if (!(weight > 0)) return no_errors;
     return (Errors){most, sqrt(square / weight), sum / weight};
 }
 
@@ -86,13 +89,14 @@ double strain_energy(const Scene *scene, const Samples *q, Scratch *s)
     return sum;
 }
 
-double body_power(const Scene *scene, const Points *p, double t, Scratch *s)
+double body_work(const Scene *scene, const Points *p, ConstFields from, double t, Scratch *s)
 {
     double sum = 0;
     if (!scene->problem->body) return 0;
     scene->problem->body(scene, p->n, p->X, t, s->v);
     for (int d = 0; d < DIM; d++)
-        for (int k = 0; k < p->n; k++) sum += p->m[k] * s->v[d][k] * p->v[d][k];
+        for (int k = 0; k < p->n; k++)
+            if (p->m[k] > 0) sum += p->m[k] * s->v[d][k] * (p->x[d][k] - from[d][p->id[k]]);
     return sum;
 }
 
@@ -127,15 +131,17 @@ double angular_momentum(const Points *p)
 
 Volumes volumes(const Samples *q)
 {
-    Volumes out = {0, INFINITY, -INFINITY};
+    Volumes out = {0, NAN, NAN};
+    bool any = false;
     for (int k = 0; k < q->n; k++) {
         if (!(q->V0[k] > 0)) continue;
         Mat F;
         for (int e = 0; e < NMAT; e++) F[e] = q->F[e][k];
         const double J = determinant(F);
         out.sum += q->V0[k] * J;
-        out.least = J >= out.least ? out.least : J;
-        out.most = J <= out.most ? out.most : J;
+        if (!any || !(J >= out.least)) out.least = J;
+        if (!any || !(J <= out.most)) out.most = J;
+        any = true;
     }
     return out;
 }

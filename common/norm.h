@@ -6,10 +6,13 @@
 #include "problem.h"
 
 /* max e, sqrt(sum w e^2 / sum w), sum w e / sum w over points with mass, w = V0, divided by the
- * scene's scale (CONTRACT: error_*). */
+ * scene's scale (CONTRACT: error_*). NAN where nothing was measured: a maximum over no points is
+ * not 0. */
 typedef struct Errors {
     double linf, l2, l1;
 } Errors;
+
+extern const Errors no_errors; /* all NAN */
 
 /* Room for n points' worth of vectors, for the functions below. Owned by the run. */
 typedef struct Scratch {
@@ -32,11 +35,14 @@ typedef struct Volumes {
 } Volumes;
 
 Volumes volumes(const Samples *q);
-double kinetic_energy(const Points *p);                                       /* [J] */
-double strain_energy(const Scene *scene, const Samples *q, Scratch *s);       /* [J] */
-double body_power(const Scene *scene, const Points *p, double t, Scratch *s); /* [W] */
+double kinetic_energy(const Points *p);                                 /* [J] */
+double strain_energy(const Scene *scene, const Samples *q, Scratch *s); /* [J] */
 double angular_momentum(const Points *p);  /* [kg m^2/s] about the centre of mass; NAN but in 2D */
 double momentum(const Points *p, Vec out); /* [kg m/s]; returns sum of m |v| */
+
+/* [J] Work of the body forces of time t on the way of each point from from[DIM][id]: sum of
+ * m b(X, t) . (x - from). Velocities do not enter: FLIP particles do not move with their own. */
+double body_work(const Scene *scene, const Points *p, ConstFields from, double t, Scratch *s);
 
 /* Id of the fastest point with mass (the lowest of equals; -1: none), and its speed [m/s]. */
 int fastest_point(const Points *p, double *speed);

@@ -100,11 +100,11 @@ static void core_nodes(const void *self, Nodes *nodes)
 static void core_counts(const void *self, Counts *counts)
 {
     const Sim *sim = ((const Core *)self)->sim;
-    *counts = (Counts){.ppc = sim->setup->ppc,
+    *counts = (Counts){.ppc = sim->ppc,
                        .particles = sim->p.count - sim->surface,
                        .surface = sim->surface,
                        .elements = -1,
-                       .nodes = sim->nodes,
+                       .nodes = sim->nodes > 0 ? sim->nodes : -1,
                        .fallbacks = sim->method.assemble ? sim->fallbacks : -1};
 }
 

@@ -68,34 +68,81 @@ static void place_evenly(Layout *out, const Scene *scene, int count)
     }
 }
 
-/* Lattice points (i + 1/2) s whose centres lie in the body, axis 0 fastest. */
+/* Points from + (first + k + 1/2) step, k = 0 .. n - 1, along one axis. */
+typedef struct Comb {
+    double from, first, step;
+    long n;
+} Comb;
+
+/* The lattice of spacing s from the origin, a point more than the body needs at both ends. */
+static Comb comb_over(double lo, double hi, double s)
+{
+    const double first = floor(lo / s - 1);
+    return (Comb){0, first, s, lround(ceil(hi / s + 1) - first)};
+}
+
+/* The lattice that fills [lo, hi], where n particles represent lengths (hi - lo)/n. It is that from
+ * the origin if its boxes end where the body does. Else (an odd number of cells, or a spacing that
+ * is no part of the length) it starts at lo instead, n = (hi - lo)/s rounded up: boxes of equal
+ * size tile the body, a mirror image of itself. (To keep the lattice where it was and weigh cut
+ * boxes by what is left of them would make slivers of any small mass at faces, and let them act
+ * through GIMP boxes l0 = h/(2n) that reach beyond the body.) */
+static Comb comb_within(double lo, double hi, double s)
+{
+    const double length = hi - lo, first = lo / s, n = fmax(ceil(length / s - 1e-9), 1);
+    const bool tiles = fabs(n * s - length) <= 1e-13 * length && fabs(first - round(first)) <= 1e-9;
+    return tiles ? (Comb){0, round(first), s, lround(n)} : (Comb){lo, 0, length / n, lround(n)};
+}
+
+static double comb_at(const Comb *c, long k)
+{
+    return c->from + (c->first + (double)k + 0.5) * c->step;
+}
+
+/* Points of a lattice in the body, axis 0 fastest: of a box, the one that fills it; of any other
+ * body, those of the lattice from the origin that lie inside. */
 static void place_lattice(Layout *out, const Scene *scene, double s)
 {
-    long lo[DIM], n[DIM], total = 1;
+    bool (*const inside)(const Scene *, const Vec) = scene->problem->inside;
+    Comb comb[DIM];
+    long total = 1;
     double volume = 1;
     for (int d = 0; d < DIM; d++) {
-        lo[d] = lround(floor(scene->body_lo[d] / s - 1));
-        n[d] = lround(ceil(scene->body_hi[d] / s + 1)) - lo[d];
-        total *= n[d];
-        volume *= s;
+        const double lo = scene->body_lo[d], hi = scene->body_hi[d];
+        comb[d] = inside ? comb_over(lo, hi, s) : comb_within(lo, hi, s);
+        total *= comb[d].n;
+        volume *= comb[d].step;
     }
+    if (!(fabs(volume / pow(s, DIM) - 1) <= 1e-9)) out->fit = pow(volume, 1.0 / DIM) / s;
     for (long k = 0; k < total && !out->lost; k++) {
         Vec X;
         bool in = true;
         long rest = k;
         for (int d = 0; d < DIM; d++) {
-            X[d] = ((double)(lo[d] + rest % n[d]) + 0.5) * s;
-            rest /= n[d];
+            X[d] = comb_at(&comb[d], rest % comb[d].n);
+            rest /= comb[d].n;
             in = in && X[d] > scene->body_lo[d] && X[d] < scene->body_hi[d];
         }
-        if (in && (!scene->problem->inside || scene->problem->inside(scene, X)))
-            layout_add(out, X, volume, NULL);
+        if (in && (!inside || inside(scene, X))) layout_add(out, X, volume, NULL);
     }
 }
 
 double layout_surface_spacing(const Layout *out, double spacing)
 {
     return out->dense > 0 ? spacing / out->dense : spacing;
+}
+
+double layout_ppc(const Layout *out, double asked, double cell)
+{
+    long double volume = 0;
+    int n = 0;
+    for (int k = 0; k < out->n; k++) {
+        volume += out->volume[k];
+        n += out->volume[k] > 0;
+    }
+    if (!(volume > 0)) return NAN;
+    const double used = n * pow(cell, DIM) / (double)volume;
+    return fabs(used - asked) <= 1e-9 * asked ? asked : used;
 }
 
 static bool is_mirror(const Scene *scene, int axis, int side)

@@ -8,6 +8,7 @@
 /* Points in placement order. Owns its arrays; grows by doubling. */
 struct Layout {
     double dense; /* surface points per particle spacing; 0: 1 */
+    double fit;   /* spacing of a lattice that was fitted to a box, over the one asked for; 0: 1 */
     int n, room;
     int lost;            /* points that did not fit into memory: > 0 means failure */
     double *X[DIM];      /* [m] */
@@ -27,9 +28,14 @@ void layout_add_arc(Layout *out, const Scene *scene, double R, double dr, double
 /* Spacing of surface points where particles have the given one [m]. */
 double layout_surface_spacing(const Layout *out, double spacing);
 
+/* Particles per cell of width `cell` [m] as placed: their number over the cells that their volume
+ * would fill; `asked` where that differs by round-off only. NAN if there are none. */
+double layout_ppc(const Layout *out, double asked, double cell);
+
 /* Fills an empty layout for spacing s = 1/(cells n): 1D `count` points evenly over the body, else
- * the lattice (i + 1/2) s from the origin whose points lie inside, volume s^DIM; or the scene's
- * own. A box is fitted by that and by surface points on all faces that are no symmetry lines. */
+ * the points of the lattice (i + 1/2) s from the origin that lie inside, volume s^DIM, which in a
+ * box is moved and drawn together until it fills it; or the scene's own. Boxes are body-fitted by
+ * the same and by surface points on all faces that are no symmetry lines. */
 int layout_make(Layout *out, const Scene *scene, double spacing, int count, bool fitted,
                 Fault *fault);
 

@@ -6,6 +6,7 @@
 #ifndef MPMLAB_PROBLEM_H
 #define MPMLAB_PROBLEM_H
 
+#include <math.h>
 #include <stdbool.h>
 #include "dim.h"
 #include "info.h"
@@ -88,9 +89,17 @@ struct Scene {
     int nwall;
     double c;              /* [m/s] the speed in dt0 = CFL h/c */
     double t_end;          /* [s] default duration; 0: none */
-    double error_scale;    /* errors are divided by it */
+    double error_scale;    /* errors are divided by it; NAN: no errors in this scene */
     double k[MAX_DERIVED]; /* constants derived by init, for the problem's own use */
 };
+
+/* The error scale of a scene whose exact motion has this amplitude. Without motion there is none: a
+ * body that rests can not be wrong, so that an error of 0 would say nothing, and errors relative to
+ * the amplitude are 0/0. The error columns of such a run are empty. */
+static inline double scale_of_motion(double amplitude, double scale)
+{
+    return fabs(amplitude) > 0 ? fabs(scale) : NAN;
+}
 
 /* NULL-terminated, in registry order; problems/registry.c. */
 extern const Problem *const problems[];

@@ -16,7 +16,9 @@ static void say_status(const Loop *l, Row *row)
                  l->growth_step, (double)l->growth_step * l->dt,
                  l->plan->setup.method ? "particle" : "node", l->fastest, l->speed);
     else if (l->status.code == EMPTY)
-        strcpy(row->reason, "no particle lies inside the body");
+        strcpy(row->reason, l->status.point < 0
+                                ? "no particle lies inside the body"
+                                : "no node with mass lies where errors are measured");
     else if (l->status.code == SINGULAR)
         snprintf(row->reason, sizeof row->reason,
                  "step %ld t=%.6g particle %d and all others: no node under them has mass",
@@ -41,6 +43,7 @@ void report_inputs(const RunSpec *spec, const Plan *plan, Row *row)
     memcpy(row->params, plan->params, sizeof row->params);
     row->cells = spec->cells;
     row->h = 1 / spec->cells;
+    if (plan->setup.method) row->ppc_asked = spec->ppc; /* a mesh has none */
     row->cfl = spec->cfl > 0 ? spec->cfl : NAN;
     row->t_end = plan->t_end;
 }
@@ -71,7 +74,7 @@ void report_results(const Loop *l, Row *row)
     say_status(l, row);
     if (problem->projection) return;
     row->dt = l->dt;
-    row->energy_drift = (l->now - l->start) / l->largest;
+    if (l->instants > 1) row->energy_drift = (l->now - l->start) / l->largest;
     row->momentum_drift = l->momentum > 0 ? l->drift / l->momentum : NAN;
     if (l->done > 0) row->ns_per_particle_step = 1e9 * l->cpu / (row->particles * row->steps);
 }

@@ -53,6 +53,7 @@ static const Column columns[] = {
     NUMBER(surface_particles),
     NUMBER(elements),
     NUMBER(fallbacks),
+    NUMBER(ppc_asked),
 };
 
 int row_columns(void)

@@ -1,8 +1,8 @@
 /* run.c: see run.h. The time loop around a solver, with norms and ledger outside the clock.
  *
- * Velocities live half a step after positions, so the kinetic energy and the power of body forces
- * at t_n are means of those before and after step n; the last instant takes one step more for that,
- * whose result is thrown away. */
+ * Velocities live half a step after positions, so the kinetic energy at t_n is the mean of those
+ * before and after step n; the last instant takes one step more for that, whose result is thrown
+ * away. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -17,39 +17,6 @@ static double seconds(clockid_t clock)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* What is known on one side of a step. */
-typedef struct Side {
-    double kinetic, power, mv;
-    Vec p;
-} Side;
-
-static Side look(Loop *l, double t)
-{
-    Points p;
-    Samples q;
-    Side s;
-    l->plan->solver->view(l->self, &p, &q);
-    s.kinetic = kinetic_energy(&p);
-    s.power = body_power(&l->plan->scene, &p, t, &l->scratch);
-    s.mv = momentum(&p, s.p);
-    return s;
-}
-
-/* What belongs to the positions as they are. */
-static void take_state(Loop *l, Moment *m)
-{
-    Points p;
-    Samples q;
-    l->plan->solver->view(l->self, &p, &q);
-    m->strain = strain_energy(&l->plan->scene, &q, &l->scratch);
-    if (!l->history) return;
-    const Volumes v = volumes(&q);
-    m->volume = v.sum;
-    m->least_J = v.least;
-    m->most_J = v.most;
-    m->angular = angular_momentum(&p);
-}
-
 static Errors errors_now(Loop *l, double t)
 {
     Points p;
@@ -59,66 +26,12 @@ static Errors errors_now(Loop *l, double t)
     return displacement_errors(&l->plan->scene, &p, t, &l->scratch);
 }
 
-static double larger(double a, double b)
-{
-    return a >= b || isnan(b) ? a : b;
-}
-
-/* What the mean of two kinetic energies has beyond that of the mean velocity, at least: all there
- * is in the first steps of a body that starts at rest, so that it must not count as growth. */
-static double beyond_mean(double before, double after)
-{
-    return 0.25 * pow(sqrt(after) - sqrt(before), 2);
-}
-
-/* Where to look when there is too much energy. */
-static void note_growth(Loop *l)
-{
-    Points p;
-    Samples q;
-    l->plan->solver->view(l->self, &p, &q);
-    l->growth_step = l->done;
-    l->fastest = fastest_point(&p, &l->speed);
-}
-
-/* Books the instant t_k: energies centred in time, work by the trapezoidal rule. */
-static void book_energy(Loop *l, Moment *m, double power, double beyond)
-{
-    if (m->t > 0) l->work += 0.5 * l->dt * (l->power + power);
-    l->power = power;
-    m->work = l->work;
-    const double stored = m->kinetic + m->strain;
-    l->now = stored - l->work;
-    if (!(m->t > 0)) l->start = l->now;
-    l->largest = larger(l->largest, stored);
-    if (l->growth_step < 0 && l->done > 0 && l->now - beyond - l->start > 0.05 * l->largest)
-        note_growth(l);
-    if (l->history) history_line(l->history, m);
-}
-
-static void book_momentum(Loop *l, const Side *after)
-{
-    Vec impulse;
-    double square = 0;
-    l->plan->solver->impulse(l->self, impulse);
-    for (int d = 0; d < DIM; d++) square += pow(after->p[d] - l->p0[d] - impulse[d], 2);
-    l->drift = larger(l->drift, sqrt(square));
-    l->momentum = larger(l->momentum, after->mv);
-}
-
 static void take_step(Loop *l, double t)
 {
     const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
     l->status = l->plan->solver->step(l->self, t, l->dt, l->done == 0);
     l->cpu += seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
     l->wall += seconds(CLOCK_MONOTONIC) - wall;
-}
-
-static void book_errors(Loop *l, Errors e)
-{
-    l->worst.linf = larger(l->worst.linf, e.linf);
-    l->worst.l2 = larger(l->worst.l2, e.l2);
-    l->worst.l1 = larger(l->worst.l1, e.l1);
 }
 
 static void shoot(Loop *l, long step, bool last)
@@ -136,40 +49,36 @@ static bool grown(const Loop *l)
 /* Instants 0 .. n; instant k needs step k to know its kinetic energy. */
 static void run_steps(Loop *l)
 {
-    Side before = look(l, 0);
+    Side before = measure_side(l);
     memcpy(l->p0, before.p, sizeof l->p0);
     l->momentum = before.mv;
-    const Errors first = errors_now(l, 0);
-    Moment m = {.dt = l->dt, .error_linf = first.linf};
-    if (isnan(first.linf)) l->worst = first; /* this scene has no exact solution now */
-    take_state(l, &m);
+    Moment m = {.dt = l->dt, .error_linf = errors_now(l, 0).linf};
+    measure_state(l, &m);
     shoot(l, 0, false);
     for (; l->done < l->n && !grown(l) && !l->code; l->done++) {
         const double t = (double)l->done * l->dt;
-        const double power_before = look(l, t).power;
         take_step(l, t);
         if (l->status.code != OK) {
             l->failed_at = t + l->dt;
             return;
         }
-        const Side after = look(l, t);
+        const Side after = measure_side(l);
         const double w = l->done > 0 ? 0.5 : 0; /* the first instant is not between two halves */
+        if (l->done == 0) record_start(l, &before, &after, m.strain);
         m.t = t;
         m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
         for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
-        book_energy(l, &m, (1 - w) * power_before + w * after.power,
-                    beyond_mean(before.kinetic, after.kinetic));
-        book_momentum(l, &after);
+        record_energy(l, &m, &before, &after);
+        record_momentum(l, &after);
+        record_work(l, t);
         const Errors e = errors_now(l, t + l->dt);
-        book_errors(l, e);
+        record_errors(l, e);
         m.error_linf = e.linf;
-        take_state(l, &m);
+        measure_state(l, &m);
         before = after;
         shoot(l, l->done + 1, false);
     }
     m.t = (double)l->done * l->dt; /* the last instant waits for last_instant */
-    m.kinetic = before.kinetic;
-    memcpy(m.momentum, before.p, sizeof m.momentum);
     l->last = m;
 }
 
@@ -177,15 +86,14 @@ static void run_steps(Loop *l)
 static void last_instant(Loop *l)
 {
     Moment m = l->last;
-    const double t = m.t, before = look(l, t).power;
+    const Side before = measure_side(l);
     const Status status =
-        l->done > 0 ? l->plan->solver->step(l->self, t, l->dt, false) : (Status){EMPTY, -1, 0};
+        l->done > 0 ? l->plan->solver->step(l->self, m.t, l->dt, false) : (Status){EMPTY, -1, 0};
     const double w = status.code == OK ? 0.5 : 0;
-    const Side after = look(l, t);
-    const double beyond = beyond_mean(m.kinetic, after.kinetic);
-    m.kinetic = (1 - w) * m.kinetic + w * after.kinetic;
-    for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * m.momentum[d] + w * after.p[d];
-    book_energy(l, &m, (1 - w) * before + w * after.power, beyond);
+    const Side after = status.code == OK ? measure_side(l) : before;
+    m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
+    for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
+    record_energy(l, &m, &before, &after);
 }
 
 static void choose_dt(Loop *l)
@@ -209,14 +117,21 @@ static int project(Loop *l, Fault *fault)
     l->plan->solver->nodes(l->self, &nodes);
     if (!scratch_fit(&l->scratch, nodes.n)) return fault_set(fault, FAULT_MACHINE, "out of memory");
     l->worst = projection_errors(&l->plan->scene, &nodes, &l->scratch);
+    if (isnan(l->worst.linf)) l->status = (Status){EMPTY, 0, 0}; /* no node was measured */
     return 0;
+}
+
+/* Steps that the positions have made: a failed one counts if it moved them. */
+static long steps_moved(const Loop *l)
+{
+    return l->done + (l->status.code != OK && has_moved(l));
 }
 
 static int write_errors_now(const char *path, Loop *l, Fault *fault)
 {
     Points p;
     Samples q;
-    const double t = (double)l->done * l->dt;
+    const double t = (double)steps_moved(l) * l->dt;
     l->plan->solver->view(l->self, &p, &q);
     return write_errors(path, &l->plan->scene, &p, t, &l->scratch, fault);
 }
@@ -254,10 +169,11 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
         if (!code) shoot(l, 0, true);
     } else {
         choose_dt(l);
-        if (!fit_scratch(l)) return fault_set(fault, FAULT_MACHINE, "out of memory");
+        if (!fit_scratch(l) || !ledger_open(l))
+            return fault_set(fault, FAULT_MACHINE, "out of memory");
         if (spec->errors && isnan(errors_now(l, 0).linf)) return no_exact_motion(spec, fault);
         run_steps(l);
-        shoot(l, l->done + (l->status.code != OK), true);
+        shoot(l, steps_moved(l), true);
     }
     if (!code) code = l->code;
     if (!code) code = write_files(spec, l, fault);
@@ -272,7 +188,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
 {
     RunSpec own = *spec;
     Plan plan;
-    Loop l = {.plan = &plan, .growth_step = -1};
+    Loop l = {.plan = &plan, .growth_step = -1, .worst = no_errors, .drift = NAN};
     int code = plan_make(&own, &plan, fault);
     if (code) return code;
     *row = row_empty();
@@ -287,6 +203,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     code = l.self ? run_plan(&own, &l, row, fault) : fault->code;
     if (l.self) plan.solver->free(l.self);
     scratch_free(&l.scratch);
+    ledger_close(&l);
     snapshot_free(&l.shots);
     if (l.history && code) file_abandon(l.history, spec->history);
     if (l.history && !code) code = file_commit(l.history, spec->history, fault);

@@ -40,7 +40,7 @@ typedef struct Counts {
     int particles;  /* with mass; FEM: nodes */
     int surface;    /* surface particles */
     int elements;   /* FEM; -1 otherwise */
-    long nodes;     /* most live grid nodes at any step; FEM: -1 */
+    long nodes;     /* most live grid nodes at any step; -1: no step got that far, or FEM */
     long fallbacks; /* nodes that fell back from their method's own rule; -1: has none */
 } Counts;
 

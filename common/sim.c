@@ -228,11 +228,12 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
     const double per_axis = pow(s->ppc, 1.0 / DIM);
     sim->g.cells = s->cells;
     sim->dx = 1.0 / s->cells;
-    sim->half = 0.5 / per_axis;
-    sim->half_max = widest_half(sim->half);
     if (check_size(sim, fault)) return -1;
     layout->dense = sim->method.surface_per_cell / per_axis;
     if (layout_make(layout, s->scene, sim->dx / per_axis, s->count, s->fitted, fault)) return -1;
+    sim->ppc = layout_ppc(layout, s->ppc, sim->dx);
+    sim->half = 0.5 / per_axis * (layout->fit > 0 ? layout->fit : 1); /* l0 = h/(2n), n as placed */
+    sim->half_max = widest_half(sim->half);
     for (int k = 0; k < layout->n; k++) {
         const bool surface = s->method->surface && !(layout->volume[k] > 0);
         sim->p.count += surface || layout->volume[k] > 0;

@@ -29,6 +29,11 @@ static const struct {
 
 const char *const integrator_names[INTEGRATORS + 1] = {"cd", "uvf", "musl", "usl", "usf", NULL};
 
+bool integrator_half_first(Integrator i)
+{
+    return integrators[i].half_first;
+}
+
 Status sim_check(const Sim *sim)
 {
     const Particles *p = &sim->p;

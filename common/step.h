@@ -8,6 +8,9 @@
 /* Names as typed: "cd", "uvf", "musl", "usl", "usf". */
 extern const char *const integrator_names[INTEGRATORS + 1];
 
+/* Does its first step take half the acceleration, so that velocities live half a step after t? */
+bool integrator_half_first(Integrator i);
+
 /* One step from t to t + dt [s]; `first` takes the half first step where the integrator has one.
  * Returns the first thing that went wrong (lowest particle id), with the particles left as they
  * are; a Sim that went wrong takes no more steps and says the same again. */

@@ -31,7 +31,7 @@ set format y '%.0e'
 set xlabel 'CFL'
 set ylabel 'largest error [m]' offset 0.5
 at(m) = strcol('problem') eq 'ring' && strcol('method') eq m && column('cells') == 32 && column('t_end') < 0.021 \
-        && (m eq 'fem' || column('ppc') == 4) && strstrt(strcol('params'), 'sector=full') == 0 \
+        && (m eq 'fem' || column('ppc_asked') == 4) && strstrt(strcol('params'), 'sector=full') == 0 \
         && (m ne 'ge_wls' || (strstrt(strcol('params'), 'mass=corrected') && strstrt(strcol('params'), 'hermite=2') \
         && strstrt(strcol('params'), 'distance=curved') && strstrt(strcol('params'), 'return=spline'))) \
         && strcol('status') eq 'ok' ? column('cfl') : NaN

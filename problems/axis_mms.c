@@ -30,7 +30,7 @@ static int init(Scene *s, char why[128])
     }
     s->c = wave_speed_bar(&s->mat);
     s->t_end = 2 / s->c; /* one period */
-    s->error_scale = fabs(s->par[AMPLITUDE]) > 0 ? fabs(s->par[AMPLITUDE]) : 1;
+    s->error_scale = scale_of_motion(s->par[AMPLITUDE], s->par[AMPLITUDE]);
     return 0;
 }
 

@@ -41,13 +41,12 @@ static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
     }
 }
 
-/* The lattice beyond the two rings, axis 0 fastest. */
-static void add_lattice(double spacing, Layout *out)
+/* The lattice of n x n points beyond the rings, axis 0 fastest. */
+static void add_lattice(int n, int rings, double spacing, Layout *out)
 {
-    const int n = (int)ceil(width / spacing - 1e-9);
     for (int k = 0; k < n * n; k++) {
         Vec X = {(k % n + 0.5) * spacing, (k / n + 0.5) * spacing};
-        if (X[0] < width && X[1] < width && hypot(X[0], X[1]) > radius + 2 * spacing)
+        if (X[0] < width && X[1] < width && hypot(X[0], X[1]) > radius + rings * spacing)
             layout_add(out, X, spacing * spacing, NULL);
     }
 }
@@ -68,13 +67,18 @@ static void add_sides(double spacing, Layout *out)
 }
 
 /* Two rings around the hole, the lattice beyond, surface particles on hole and free sides but not
- * on the symmetry lines (PHYSICS 10). */
+ * on the symmetry lines (PHYSICS 10). The spacing is a whole part of the plate's width;
+ * where two rings would reach beyond the sides there are less. */
 static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
 {
     if (!fitted) return false;
-    for (int k = 0; k < 2; k++)
-        layout_add_arc(out, s, radius + (k + 0.5) * spacing, spacing, spacing, 0);
-    add_lattice(spacing, out);
+    const int n = (int)ceil(width / spacing - 1e-9);
+    const double whole = fabs(n * spacing - width) <= 1e-12 * width ? spacing : width / n;
+    const int rings = (int)fmin(2, floor((width - radius) / whole + 1e-9));
+    for (int k = 0; k < rings; k++)
+        layout_add_arc(out, s, radius + (k + 0.5) * whole, whole, whole, 0);
+    add_lattice(n, rings, whole, out);
+    if (whole < spacing) out->fit = whole / spacing;
     layout_add_arc(out, s, radius, 0, spacing, -1);
     add_sides(spacing, out);
     return true;

@@ -65,12 +65,18 @@ static int init(Scene *s, char why[128])
     return 0;
 }
 
-/* A fraction of a box's length moved to the left, and how much a particle there is narrower. */
-static double graded(const Scene *s, double f, double *width)
+/* A fraction of a box's length moved to the left. */
+static double graded(const Scene *s, double f)
 {
-    const double p = s->par[GRADING];
-    *width = p * pow(f, p - 1);
-    return pow(f, p);
+    return pow(f, s->par[GRADING]);
+}
+
+/* Width of particle k of n on the graded axis, over that of an even row: the stretch of the length
+ * that its own share was moved to, so that all together fill the box. */
+static double graded_width(const Scene *s, int k, int n)
+{
+    if (!(s->par[GRADING] > 1)) return 1;
+    return n * (graded(s, (k + 1.0) / n) - graded(s, (double)k / n));
 }
 
 static void fill(const Scene *s, const Box *b, double spacing, gsl_rng *random, Layout *out)
@@ -81,14 +87,13 @@ static void fill(const Scene *s, const Box *b, double spacing, gsl_rng *random, 
     for (int k = 0; k < n[0] * n[1]; k++) {
         const int index[] = {k % n[0], k / n[0]};
         Vec X = {0};
-        double width;
         for (int d = 0; d < DIM && d < 2; d++) {
             const double f = (index[d] + 0.5) / n[d];
             const double moved = s->par[JITTER] * (2 * gsl_rng_uniform(random) - 1) / n[d];
-            X[d] = b->lo[d] + side[d] * ((d ? f : graded(s, f, &width)) + moved);
+            X[d] = b->lo[d] + side[d] * ((d ? f : graded(s, f)) + moved);
         }
-        graded(s, (index[0] + 0.5) / n[0], &width);
-        layout_add(out, X, side[0] * side[1] / (n[0] * n[1]) * width, NULL);
+        layout_add(out, X, side[0] * side[1] / (n[0] * n[1]) * graded_width(s, index[0], n[0]),
+                   NULL);
     }
 }
 

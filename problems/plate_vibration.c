@@ -37,7 +37,7 @@ static int init(Scene *s, char why[128])
     s->k[OMEGA] = M_PI * sqrt(2) * speed;
     s->k[SIGN] = shear ? -1 : 1;
     s->t_end = M_PI / 2 / s->k[OMEGA]; /* a quarter period */
-    s->error_scale = fabs(s->par[A]);
+    s->error_scale = scale_of_motion(s->par[A], s->par[A]);
     return 0;
 }
 

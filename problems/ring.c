@@ -40,7 +40,7 @@ static int init(Scene *s, char why[128])
     s->mat = material_make(NEO_HOOKEAN, 1e4, 0, 1);
     s->c = wave_speed_bar(&s->mat);
     s->t_end = 2 / s->c;
-    s->error_scale = 1;
+    s->error_scale = scale_of_motion(s->par[AMPLITUDE], 1);
     s->body = (Body){BODY_RING, {s->par[OFFSET_X] * s->cell, s->par[OFFSET_Y] * s->cell},
                      inner,     outer,
                      turn,      turn + (full ? 2 * M_PI : M_PI / 2)};

@@ -38,7 +38,7 @@ static int init(Scene *s, char why[128])
     s->mat = material_make(NEO_HOOKEAN, s->par[E], s->par[NU], s->par[RHO]);
     s->c = wave_speed_bound(&s->mat);
     s->t_end = 1;
-    s->error_scale = 1;
+    s->error_scale = scale_of_motion(s->par[TURN], 1);
     s->body =
         (Body){BODY_RING, {s->par[OFFSET_X] * s->cell, s->par[OFFSET_Y] * s->cell}, inner, outer, 0,
                2 * M_PI};

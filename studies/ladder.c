@@ -82,14 +82,14 @@ double ladder_limit(const Ladder *l, Grade worst, int *first)
 /* The run of a row at another CFL number. */
 static void add_case(Cases *list, const Table *rows, int row, double cfl)
 {
-    static const char *const options[] = {"method", "integrator", "cells", "ppc", "t_end"};
+    static const char *const options[] = {"method", "integrator", "cells", "ppc_asked", "t_end"};
+    static const char *const names[] = {"method", "integrator", "cells", "ppc", "t-end"};
     char text[2048], params[512], *rest = params;
     int n = snprintf(text, sizeof text, "run %s --cfl %.17g --set layout=%s",
                      table_text(rows, row, "problem"), cfl, table_text(rows, row, "layout"));
     for (int k = 0; k < 5; k++) {
         const char *value = table_text(rows, row, options[k]);
-        const char *option = strcmp(options[k], "t_end") == 0 ? "t-end" : options[k];
-        if (*value) n += snprintf(text + n, sizeof text - (size_t)n, " --%s %s", option, value);
+        if (*value) n += snprintf(text + n, sizeof text - (size_t)n, " --%s %s", names[k], value);
     }
     snprintf(params, sizeof params, "%s", table_text(rows, row, "params"));
     for (char *set; (set = strtok_r(rest, ";", &rest));)

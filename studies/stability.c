@@ -71,7 +71,8 @@ static int column_of(double cfl)
 static void write_map(FILE *f, const Table *rows, const Ladder *l)
 {
     const Map *map = map_of_row(rows, l->row[0]);
-    const double A = row_param(rows, l->row[0], "A"), ppc = table_number(rows, l->row[0], "ppc");
+    const double A = row_param(rows, l->row[0], "A"),
+                 ppc = table_number(rows, l->row[0], "ppc_asked");
     int height = 1;
     while (map->ppc[height - 1] > 0) height++;
     for (int k = 0; k < l->n; k++)
@@ -88,7 +89,7 @@ static void write_map(FILE *f, const Table *rows, const Ladder *l)
 static void write_limits(FILE *f, const Table *rows, const Ladder *l)
 {
     write_place(f, rows, l->row[0]);
-    fprintf(f, "%s,%g", table_text(rows, l->row[0], "ppc"), row_param(rows, l->row[0], "A"));
+    fprintf(f, "%s,%g", table_text(rows, l->row[0], "ppc_asked"), row_param(rows, l->row[0], "A"));
     for (Grade worst = STABLE; worst < LOST; worst++) {
         int first;
         fprintf(f, ",%.6g,", ladder_limit(l, worst, &first));

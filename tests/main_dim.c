@@ -17,6 +17,8 @@ extern const TestCase methods_tests[];
 extern const TestCase remedies_tests[];
 extern const TestCase wls_hand_tests[];
 extern const TestCase measures_tests[];
+extern const TestCase mass_tests[];
+extern const TestCase ledger_tests[];
 
 int main(void)
 {
@@ -37,6 +39,8 @@ int main(void)
         {"WLS by hand", wls_hand_tests},
         {"measures", measures_tests},
         {"hard cases", hard_tests},
+        {"mass", mass_tests},
+        {"ledger", ledger_tests},
         {NULL, NULL},
     };
     return check_run(suites);

@@ -22,7 +22,7 @@ static const Case short_scenes[] = {
     {1, "sine_bar", 20, 2.3, 0, "A=0.1;law=linear"},
     {1, "free_block", 16, 0.7, 0, "drift=5"},
     {1, "free_block", 80, 2.9, 0, "box=1.51"},
-    {2, "free_block", 16, 4, 0, "box=1.6"},
+    {2, "free_block", 16, 4, 0, "box=1.63"},
     {2, "free_block", 10, 1, 0.1, "box=1.63;swing=2;spin=3"},
     {2, "ring", 8, 4, 0.2, "A=0.03"},
     {2, "ring", 8, 1, 0.1, NULL},
