@@ -20,15 +20,18 @@ LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
 
 comma  = ,
 paren  = (
+ROW_ROOMS   = common methods problems fem_ref
+STUDY_ROOMS = studies plots
+# $(call sources,ROOM): its C files, folders below it included; an empty room is a fault.
+sources = $(or $(shell find $(1) -name '*.c' | LC_ALL=C sort),$(error $(1): no C file))
 FREE   = $(patsubst %,common/%.c,fault file info row spec table vtk_file) \
-         methods/wls_squares.c $(wildcard studies/*.c)
-DIMMED = $(filter-out $(FREE), $(wildcard common/*.c)) $(wildcard methods/*.c)
+         methods/wls_squares.c $(call sources,studies)
+DIMMED = $(filter-out $(FREE), $(call sources,common) $(call sources,methods))
 problem_sources = $(shell sed -n 's/^PROBLEM$(paren)\([a-z_0-9]*\), $(1).*/problems\/\1.c/p' problems/problems.def)
 PROBLEMS_1 = $(call problem_sources,1)
 PROBLEMS_2 = $(call problem_sources,[01]$(comma) 1)
 PROBLEMS_3 = $(call problem_sources,[01]$(comma) [01]$(comma) 1)
-FEM_2      = $(wildcard fem_ref/*.c)
-HEADERS    = $(wildcard */*.h) $(wildcard */*.def)
+FEM_2      = $(call sources,fem_ref)
 
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
@@ -40,35 +43,42 @@ FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 
 all: $(BUILD)/mpmlab
 
-# What this build is, for --version, the journals and the sidecars; rewritten only when it changes.
+# $(call sum,ROOM ...): a shell command that prints the checksum of all files of these rooms, names included.
+sum = for room in $(1); do \
+  find $$room -type f | grep -q . || { echo "$$room: an empty room" >&2; exit 1; }; done; \
+  find $(1) -type f | LC_ALL=C sort | xargs cksum | cksum | cut -d' ' -f1
+
+# What this build is, for --version, the journals and the sidecars; rewritten only when it changes. Rows depend on
+# FACT_SOURCES, which is part of a journal's key; FACT_STUDIES is what judges and draws them.
 $(BUILD)/facts.h: force
 	@mkdir -p $(BUILD)
-	@printf '#define FACT_VERSION "%s"\n#define FACT_COMPILER "%s"\n#define FACT_FLAGS "%s"\n#define FACT_SOURCES "%s"\n' \
-	  "$$(git describe --always --dirty --tags 2>/dev/null || echo unknown)" "$$($(CC) --version | head -n 1)" \
-	  "$(strip $(OPT) $(OMP) $(SAN))" \
-	  "$$(cat $(sort $(wildcard common/* methods/* problems/* fem_ref/*)) | cksum | cut -d' ' -f1)" > $@.new
+	@sources=$$($(call sum,$(ROW_ROOMS))) && studies=$$($(call sum,$(STUDY_ROOMS))) && \
+	printf '#define FACT_%s "%s"\n' VERSION "$$(git describe --always --dirty --tags 2>/dev/null || echo unknown)" \
+	  COMPILER "$$($(CC) --version | head -n 1)" FLAGS "$(strip $(OPT) $(OMP) $(SAN))" \
+	  SOURCES "$$sources" STUDIES "$$studies" > $@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 $(BUILD)/mpmlab: $(FREE_OBJECTS) $(DIMS:%=$(BUILD)/d%/engine.o)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
-$(BUILD)/studies/%.o: studies/%.c $(HEADERS) $(BUILD)/facts.h Makefile
-	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -I$(BUILD) -c -o $@ $<
+# One short line a file; V=1 shows the commands. Every object carries a list of its headers (.d).
+SHOW    = $(if $(V),,@$(if $(findstring s,$(firstword -$(MAKEFLAGS))),,echo "$(1) $(@:$(BUILD)/%=%)";))
+COMPILE = $(call SHOW,CC) mkdir -p $(@D) && $(CC) $(CFLAGS) -MMD -MP -c -o $@ $<
+DEPENDS = $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 
-$(BUILD)/common/%.o: common/%.c $(HEADERS) Makefile
-	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -c -o $@ $<
+$(BUILD)/studies/%.o: studies/%.c $(BUILD)/facts.h Makefile
+	$(COMPILE) -I$(BUILD)
 
-$(BUILD)/methods/%.o: methods/%.c $(HEADERS) Makefile
-	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -c -o $@ $<
+$(BUILD)/common/%.o: common/%.c Makefile
+	$(COMPILE)
+
+$(BUILD)/methods/%.o: methods/%.c Makefile
+	$(COMPILE)
 
 # One object a dimension; all but its Engine is hidden, so that the dimensions can share names.
 define dimension
-$(BUILD)/d$(1)/%.o: %.c $(HEADERS) Makefile
-	@mkdir -p $$(@D)
-	$$(CC) $$(CFLAGS) -DDIM=$(1) -c -o $$@ $$<
+$(BUILD)/d$(1)/%.o: %.c Makefile
+	$$(COMPILE) -DDIM=$(1)
 $(BUILD)/d$(1)/engine.o: $(call objects,$(1))
 	ld -r -o $$@.all $$^
 	objcopy --keep-global-symbol=engine_$(1)d $$@.all $$@
@@ -103,9 +113,8 @@ WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_ge_wls test_axis_mms tes
 SCENE_TESTS = test_disk_plate test_snapshot test_peers test_loads
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 
-$(BUILD)/tests/%.o: tests/%.c $(HEADERS) Makefile
-	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -c -o $@ $<
+$(BUILD)/tests/%.o: tests/%.c Makefile
+	$(COMPILE)
 
 $(BUILD)/tests/test_found.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/found"'
 $(BUILD)/d2/tests/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/peers"'
@@ -195,9 +204,8 @@ fuzz:
 # make fuzzers BUILD=... CC=clang SAN=...: the programs alone (fuzz.sh asks for them)
 fuzzers: all $(FUZZERS:%=$(BUILD)/tests/fuzz_%)
 
-$(BUILD)/tests/fuzz_main_%.o: tests/fuzz_main.c $(HEADERS) Makefile
-	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -DFUZZ=fuzz_$* -c -o $@ $<
+$(BUILD)/tests/fuzz_main_%.o: tests/fuzz_main.c Makefile
+	$(COMPILE) -DFUZZ=fuzz_$*
 
 $(FUZZERS:%=$(BUILD)/tests/fuzz_%): $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_main_%.o $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
@@ -233,3 +241,5 @@ deps-extra:
 
 clean:
 	rm -rf $(BUILD)
+
+-include $(DEPENDS)

@@ -55,7 +55,8 @@ void manual_command(const Command *c)
 
 void manual_version(void)
 {
-    printf("mpmlab %s\n%s\n%s\ndimensions", FACT_VERSION, FACT_COMPILER, FACT_FLAGS);
+    printf("mpmlab %s\n%s\n%s\n", FACT_VERSION, FACT_COMPILER, FACT_FLAGS);
+    printf("sources %s (runs), %s (studies)\ndimensions", FACT_SOURCES, FACT_STUDIES);
     for (const Engine *const *e = engines; *e; e++) printf(" %d", (*e)->dim);
 #ifdef _OPENMP
     printf("\nOpenMP %d\n", _OPENMP);
