@@ -13,13 +13,23 @@ have() {
     echo "SKIPPED $1"
     return 1
 }
+# every ROOM...: the C files of these rooms and of the folders below them; an empty room is a fault.
+every() {
+    local room
+    for room in "$@"; do
+        find "$room" -name '*.[ch]' | LC_ALL=C sort | grep . || complain "$room: no C file" >&2
+    done
+}
 # refuse ROOM REASON REGEX: no file of the room may include what the regex matches.
 refuse() {
     local found
-    found=$(grep -nE "^#include +[\"<]($3)[\">]" "$1"/*.[ch] 2>/dev/null) && complain "$2"$'\n'"$found"
+    found=$(every "$1" | xargs grep -nE "^#include +[\"<]($3)[\">]") && complain "$2"$'\n'"$found"
 }
 
-mapfile -t sources < <(ls {common,methods,problems,fem_ref,studies,tests}/*.[ch] 2>/dev/null)
+rooms=(common methods problems fem_ref studies tests)
+mapfile -t sources < <(every "${rooms[@]}")
+mapfile -t scripts < <(find tests -name '*.sh')
+for room in "${rooms[@]}"; do [[ " ${sources[*]}" == *" $room/"* ]] || complain "$room: an empty room"; done
 have clang-format && for file in "${sources[@]}"; do
     clang-format --dry-run -Werror "$file" 2>/dev/null || complain "$file: not as clang-format has it"
 done
@@ -29,7 +39,7 @@ check() { # DIM, rooms
         --suppress=arrayIndexOutOfBounds `# it does not follow branches on DIM` \
         --error-exitcode=1 -j "$(nproc)" "-DDIM=$1" "${@:2}" || complain "cppcheck, DIM=$1"
 }
-have shellcheck && { shellcheck -S warning tests/*.sh tests/tools/*.sh || complain "shellcheck"; }
+have shellcheck && { shellcheck -S warning "${scripts[@]}" || complain "shellcheck"; }
 have cppcheck && { check 1 common methods; check 2 common methods problems fem_ref studies tests; }
 
 # Include rules: who may see whom.
@@ -42,8 +52,8 @@ refuse fem_ref "fem_ref/ shares no loop with methods/" '.*(methods|studies)/.*|.
 
 found=$(grep -rnE '#\s*(el)?if.*\bDIM\b' --include='*.[ch]' --exclude-dir=build . | grep -v '^./common/dim\.h') &&
     complain "#if DIM outside common/dim.h"$'\n'"$found"
-found=$(grep -nE 'str(n)?cmp *\([^;]*"(mpm|gimp|ge_mpm|ge_gimp|wls|wls2|ge_wls|fem)"' \
-    common/*.[ch] problems/*.[ch] studies/*.[ch]) && complain "branches on a method's name"$'\n'"$found"
+found=$(every common problems studies |
+    xargs grep -nE 'str(n)?cmp *\([^;]*"(mpm|gimp|ge_mpm|ge_gimp|wls|wls2|ge_wls|fem)"') && complain "branches on a method's name"$'\n'"$found"
 
 bash tests/mutants.sh --check || complain "tests/mutants.list"
 
