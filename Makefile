@@ -15,7 +15,7 @@ WERROR ?=
 OPT    = -O3 $(ARCH) -ffp-contract=fast -fno-math-errno -fno-trapping-math
 WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Wstrict-prototypes \
          -Wmissing-prototypes -Wno-psabi $(WERROR) $(if $(OMP),,-Wno-unknown-pragmas)
-CFLAGS = -std=gnu11 -g $(OPT) $(OMP) $(SAN) $(WARN)
+CFLAGS = -std=gnu11 -g -I. $(OPT) $(OMP) $(SAN) $(WARN)
 LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
 
 comma  = ,
@@ -24,9 +24,8 @@ ROW_ROOMS   = common methods problems fem_ref
 STUDY_ROOMS = studies plots
 # $(call sources,ROOM): its C files, folders below it included; an empty room is a fault.
 sources = $(or $(shell find $(1) -name '*.c' | LC_ALL=C sort),$(error $(1): no C file))
-FREE   = $(patsubst %,common/%.c,fault file info row spec table vtk_file) \
-         methods/wls_squares.c $(call sources,studies)
-DIMMED = $(filter-out $(FREE), $(call sources,common) $(call sources,methods))
+FREE   = $(call sources,common/base) $(call sources,studies)
+DIMMED = $(foreach r,common/contract common/core common/run methods,$(call sources,$(r)))
 problem_sources = $(shell sed -n 's/^PROBLEM$(paren)\([a-z_0-9]*\), $(1).*/problems\/\1.c/p' problems/problems.def)
 PROBLEMS_1 = $(call problem_sources,1)
 PROBLEMS_2 = $(call problem_sources,[01]$(comma) 1)
@@ -35,6 +34,7 @@ FEM_2      = $(call sources,fem_ref)
 
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
+BASE_OBJECTS = $(filter $(BUILD)/common/base/%,$(FREE_OBJECTS))
 
 .PHONY: all deps deps-extra test quick figures bench rank san lint mutants faults install uninstall builds repeat memcheck \
   coverage objects fuzz fuzzers clean force
@@ -59,7 +59,7 @@ $(BUILD)/facts.h: force
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 $(BUILD)/mpmlab: $(FREE_OBJECTS) $(DIMS:%=$(BUILD)/d%/engine.o)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
 # One short line a file; V=1 shows the commands. Every object carries a list of its headers (.d).
 SHOW    = $(if $(V),,@$(if $(findstring s,$(firstword -$(MAKEFLAGS))),,echo "$(1) $(@:$(BUILD)/%=%)";))
@@ -69,10 +69,7 @@ DEPENDS = $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 $(BUILD)/studies/%.o: studies/%.c $(BUILD)/facts.h Makefile
 	$(COMPILE) -I$(BUILD)
 
-$(BUILD)/common/%.o: common/%.c Makefile
-	$(COMPILE)
-
-$(BUILD)/methods/%.o: methods/%.c Makefile
+$(BUILD)/common/base/%.o: common/base/%.c Makefile
 	$(COMPILE)
 
 # One object a dimension; all but its Engine is hidden, so that the dimensions can share names.
@@ -80,9 +77,9 @@ define dimension
 $(BUILD)/d$(1)/%.o: %.c Makefile
 	$$(COMPILE) -DDIM=$(1)
 $(BUILD)/d$(1)/engine.o: $(call objects,$(1))
-	ld -r -o $$@.all $$^
-	objcopy --keep-global-symbol=engine_$(1)d $$@.all $$@
-	rm $$@.all
+	$$(call SHOW,LD)ld -r -o $$@.all $$^
+	@objcopy --keep-global-symbol=engine_$(1)d $$@.all $$@
+	@rm $$@.all
 endef
 $(foreach d,1 2 3,$(eval $(call dimension,$(d))))
 
@@ -95,38 +92,41 @@ figures:
 	$(if $(QUICK),,$(BUILD)/mpmlab claims)
 
 # The tests write below build/ only; CUnit's summary comes last.
-CLI_TEST    = bash tests/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
-SWEEP_TEST  = bash tests/sweep.sh $(BUILD)/mpmlab $(BUILD)/tests
+CLI_TEST    = bash tests/cli/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
+SWEEP_TEST  = bash tests/cli/sweep.sh $(BUILD)/mpmlab $(BUILD)/tests
 UNIT_TESTS  = $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem \
               $(BUILD)/tests/wls $(BUILD)/tests/scenes
-WRONG_TEST  = bash tests/wrong_inputs.sh $(BUILD)/mpmlab $(BUILD)/tests
-FAULT_TEST  = bash tests/faults.sh $(BUILD)/mpmlab $(BUILD)/tests
-FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/%.o,fuzz_run fuzz_sweep fuzz_files fuzz_tools)
+WRONG_TEST  = bash tests/cli/wrong_inputs.sh $(BUILD)/mpmlab $(BUILD)/tests
+FAULT_TEST  = bash tests/cli/faults.sh $(BUILD)/mpmlab $(BUILD)/tests
+FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/fuzz/%.o,fuzz_run fuzz_sweep fuzz_files fuzz_tools)
 CORE_DIMS   = 1 2 3
-CORE_3      = main_3d rig twin twin_filter twin_make \
-              $(patsubst %,test_%,twin shapes material exact remedies mass)
-CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
-              $(patsubst %,test_%,invariants hard order dynamics spots rules status methods wls_hand measures ledger)
+CORE_3      = core/main_3d fixture $(TEXTBOOK) $(patsubst %,core/test_%,textbook material exact domains_and_strain) \
+              methods/test_shapes problems/test_mass
+CORE_1      = $(filter-out core/main_3d,$(CORE_3)) core/main_dim methods/test_methods methods/test_wls_hand \
+              run/test_status run/test_measures run/test_ledger \
+              $(patsubst %,core/test_%,moment_pass invariants hard sort_and_walls dynamics published_errors rules)
 CORE_2      = $(CORE_1)
-FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
-WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_ge_wls test_axis_mms test_vortex
-SCENE_TESTS = test_disk_plate test_snapshot test_peers test_loads
-TEST_OBJECTS = $(filter-out $(BUILD)/studies/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
+TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_filter textbook_make)
+FEM_TESTS   = $(patsubst %,fem_ref/%,test_fem test_fem_scenes test_mesh) problems/test_ring
+WLS_TESTS   = $(patsubst %,methods/%,test_wls test_wls_runs test_wls_hard test_ge_wls) \
+              problems/test_axis_mms problems/test_vortex
+SCENE_TESTS = problems/test_disk_plate run/test_snapshot core/test_peers core/test_loads
+TEST_OBJECTS = $(filter-out $(BUILD)/studies/cli/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 
 $(BUILD)/tests/%.o: tests/%.c Makefile
 	$(COMPILE)
 
-$(BUILD)/tests/test_found.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/found"'
-$(BUILD)/d2/tests/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/peers"'
-$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,test_tools test_files test_study test_trial trial test_effort test_found check) \
+$(BUILD)/tests/fuzz/test_fuzz_corpus.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/fuzz/found"'
+$(BUILD)/d2/tests/core/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/peers"'
+$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,base/test_tools base/test_files studies/test_study studies/test_trial studies/trial studies/test_effort fuzz/test_fuzz_corpus check) \
   $(FUZZ_OBJECTS) $(TEST_OBJECTS)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
+	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 
 # Tests of one dimension see its objects before their names are hidden.
 define dimension_tests
 $(BUILD)/tests/core_$(1)d: $(CORE_$(1):%=$(BUILD)/d$(1)/tests/%.o) $(BUILD)/tests/check.o \
-  $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,$(1))
-	$(CC) $(CFLAGS) -o $$@ $$^ $(LDLIBS) -lcunit
+  $(BASE_OBJECTS) $(call objects,$(1))
+	$$(call SHOW,LD)$(CC) $(CFLAGS) -o $$@ $$^ $(LDLIBS) -lcunit
 endef
 $(foreach d,$(CORE_DIMS),$(eval $(call dimension_tests,$(d))))
 
@@ -134,8 +134,8 @@ $(BUILD)/tests/fem: $(FEM_TESTS:%=$(BUILD)/d2/tests/%.o)
 $(BUILD)/tests/wls: $(WLS_TESTS:%=$(BUILD)/d2/tests/%.o)
 $(BUILD)/tests/scenes: $(SCENE_TESTS:%=$(BUILD)/d2/tests/%.o)
 $(BUILD)/tests/fem $(BUILD)/tests/wls $(BUILD)/tests/scenes: $(BUILD)/tests/check.o \
-  $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
+  $(BASE_OBJECTS) $(call objects,2)
+	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 
 RUN_UNITS = for t in $(UNIT_TESTS); do \
   (cd $(BUILD)/tests && OMP_WAIT_POLICY=passive $(CURDIR)/$$t) || exit 1; done
@@ -144,12 +144,12 @@ test:
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(CLI_TEST)
 	$(SWEEP_TEST)
-	bash tests/example.sh $(BUILD)/example
+	bash tests/cli/example.sh $(BUILD)/example
 	$(WRONG_TEST)
 	$(FAULT_TEST)
-	bash tests/install.sh $(BUILD) $(BUILD)/tests
-	bash tests/cluster.sh $(BUILD)/mpmlab $(BUILD)/tests
-	bash tests/page.sh $(BUILD)/mpmlab $(BUILD)/tests
+	bash tests/cli/install.sh $(BUILD) $(BUILD)/tests
+	bash tests/cli/cluster.sh $(BUILD)/mpmlab $(BUILD)/tests
+	bash tests/studies/page.sh $(BUILD)/mpmlab $(BUILD)/tests
 	@$(RUN_UNITS)
 
 # Those of the program's own code, for sanitizers.
@@ -163,22 +163,22 @@ quick:
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
 bench: all $(BUILD)/tests/bench
 	@$(MAKE) -s BUILD=$(BUILD)/avx2 ARCH=-march=x86-64-v3 all
-	BUILD=$(BUILD) bash tests/bench.sh
+	BUILD=$(BUILD) bash tests/tools/bench.sh
 
-$(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,bench twin twin_filter twin_make) \
-  $(filter $(BUILD)/common/%,$(FREE_OBJECTS)) $(call objects,2)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+$(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,tools/bench $(TEXTBOOK)) \
+  $(BASE_OBJECTS) $(call objects,2)
+	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
-# Seeded faults in all parts of the program, a line each in tests/mutants.list: the tests must see each.
+# Seeded faults in all parts of the program, a line each in tests/tools/mutants.list: the tests must see each.
 mutants:
-	JOBS=$(JOBS) bash tests/mutants.sh $(BUILD)/mutants
+	JOBS=$(JOBS) bash tests/tools/mutants.sh $(BUILD)/mutants
 
 # Does a second run of the speed-against-error study rank the methods as the first did?
 rank: all
-	bash tests/rank.sh $(BUILD)/mpmlab $(BUILD)/tests
+	bash tests/tools/rank.sh $(BUILD)/mpmlab $(BUILD)/tests
 
 lint:
-	BUILD=$(BUILD)/lint bash tests/lint.sh
+	BUILD=$(BUILD)/lint bash tests/tools/lint.sh
 
 # The same tests under the address and undefined-behaviour sanitizers.
 san:
@@ -188,7 +188,7 @@ san:
 
 # What takes minutes, each ending in a line of counts.
 builds repeat memcheck coverage:
-	bash tests/$@.sh $(BUILD)/$@
+	bash tests/tools/$@.sh $(BUILD)/$@
 
 # All faults, a hundred kills among them (minutes).
 faults: all
@@ -199,19 +199,19 @@ FUZZERS = run set case journal table append sweep
 SECONDS = 60
 
 fuzz:
-	SECONDS_EACH=$(SECONDS) bash tests/fuzz.sh $(BUILD)/fuzz $(FUZZERS)
+	SECONDS_EACH=$(SECONDS) bash tests/tools/fuzz.sh $(BUILD)/fuzz $(FUZZERS)
 
 # make fuzzers BUILD=... CC=clang SAN=...: the programs alone (fuzz.sh asks for them)
 fuzzers: all $(FUZZERS:%=$(BUILD)/tests/fuzz_%)
 
-$(BUILD)/tests/fuzz_main_%.o: tests/fuzz_main.c Makefile
+$(BUILD)/tests/fuzz/fuzz_main_%.o: tests/fuzz/fuzz_main.c Makefile
 	$(COMPILE) -DFUZZ=fuzz_$*
 
-$(FUZZERS:%=$(BUILD)/tests/fuzz_%): $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_main_%.o $(FUZZ_OBJECTS) $(TEST_OBJECTS)
-	$(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
+$(FUZZERS:%=$(BUILD)/tests/fuzz_%): $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz/fuzz_main_%.o $(FUZZ_OBJECTS) $(TEST_OBJECTS)
+	$(call SHOW,LD)$(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
 
 # Every source compiled, for lint.
-objects: all $(UNIT_TESTS) $(BUILD)/tests/bench $(FUZZERS:%=$(BUILD)/tests/fuzz_main_%.o)
+objects: all $(UNIT_TESTS) $(BUILD)/tests/bench $(FUZZERS:%=$(BUILD)/tests/fuzz/fuzz_main_%.o)
 
 # The program looks for its plots beside itself, in ../share.
 PREFIX  = /usr/local
@@ -223,7 +223,9 @@ WORDS   = $(INSTALL)/share/bash-completion/completions
 install: all
 	install -D -m 755 $(BUILD)/mpmlab "$(INSTALL)/bin/mpmlab"
 	install -d "$(SHARED)/plots" "$(MANUALS)" "$(WORDS)"
-	install -m 644 plots/*.gp plots/page.html "$(SHARED)/plots"
+	for room in . w07 w11 own hard; do install -d "$(SHARED)/plots/$$room" && \
+	  install -m 644 plots/$$room/*.gp "$(SHARED)/plots/$$room" || exit 1; done
+	install -m 644 plots/page.html "$(SHARED)/plots"
 	$(BUILD)/mpmlab --man > "$(MANUALS)/mpmlab.1"
 	$(BUILD)/mpmlab --completion > "$(WORDS)/mpmlab"
 
@@ -232,11 +234,11 @@ uninstall:
 	rm -rf "$(SHARED)"
 
 deps:
-	@bash tests/deps.sh gcc make binutils libc6-dev libgsl-dev libjansson-dev zlib1g-dev \
+	@bash tests/tools/deps.sh gcc make binutils libc6-dev libgsl-dev libjansson-dev zlib1g-dev \
 	  libcunit1-dev gnuplot-nox fonts-dejavu-core man-db $(if $(findstring clang,$(CC)),clang libomp-dev)
 
 deps-extra:
-	@bash tests/deps.sh -o clang clang-tidy clang-format cppcheck valgrind shellcheck libclang-rt-dev \
+	@bash tests/tools/deps.sh -o clang clang-tidy clang-format cppcheck valgrind shellcheck libclang-rt-dev \
 	  libomp-dev python3-vtk9 python3-numpy chromium chromium-driver curl parallel slurm-wlm munge ccache
 
 clean:

@@ -6,7 +6,7 @@
 #ifndef MPMLAB_FEM_H
 #define MPMLAB_FEM_H
 
-#include "../common/run.h"
+#include "common/contract/solver.h"
 
 enum { CORNERS = 3, VALENCE = 8 /* most corners in a node */, BLOCK = 256 /* nodes of a task */ };
 

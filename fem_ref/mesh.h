@@ -1,10 +1,10 @@
 /* mesh.h: a structured triangle mesh of a scene's body, planned first (its size is known before any
  * memory is asked for), then filled into arrays of the caller's. */
-#ifndef MPMLAB_FEM_MESH_H
-#define MPMLAB_FEM_MESH_H
+#ifndef MPMLAB_MESH_H
+#define MPMLAB_MESH_H
 
-#include "../common/fault.h"
-#include "../common/problem.h"
+#include "common/base/fault.h"
+#include "common/contract/problem.h"
 
 typedef struct Mesh {
     const Scene *scene;

@@ -7,8 +7,8 @@
  *   sum_i x_i x m_i v_i = sum_p m_p (x_p x v_p + eps : B_p),
  * whatever D is, and the way back keeps it, as x moves with v: angular momentum is conserved.
  * Next to a wall the folded spline is a tent, whose D fades with the distance, as B does. */
-#include "shapes.h"
-#include "transfers.h"
+#include "methods/parts/shapes.h"
+#include "methods/parts/transfers.h"
 
 static void update(const Chunk *c, const Field sums[], double dt, unsigned take)
 {

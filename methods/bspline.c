@@ -5,8 +5,8 @@
  * GIMP's half width h/2 would give. Steffen, Kirby & Berzins 2008 change the functions next to a
  * boundary; folding the outer weight 2:-1 into the two nodes inside gives theirs: it leaves a tent
  * in the last half cell. */
-#include "shapes.h"
-#include "transfers.h"
+#include "methods/parts/shapes.h"
+#include "methods/parts/transfers.h"
 
 const Method method_bspline = {
     .info = {.name = "bspline",

@@ -7,7 +7,7 @@
  * particle's update takes it: v_p = S v(k), x, L. Order 1 is PIC with the lumped matrix. With cd
  * and GIMP's narrow boxes a coarse spinning block loses its corners from order 2 on (8 cells: after
  * 180 steps); with musl, uvf, usf or splines it does not. */
-#include "filters.h"
+#include "methods/parts/filters.h"
 
 const Method method_fmpm = {
     .info = {.name = "fmpm",

@@ -1,6 +1,6 @@
 /* ge_gimp.c: gradient-enhanced projection on GIMP functions (W07 section 4). */
-#include "shapes.h"
-#include "transfers.h"
+#include "methods/parts/shapes.h"
+#include "methods/parts/transfers.h"
 
 const Method method_ge_gimp = {
     .info = {.name = "ge_gimp",

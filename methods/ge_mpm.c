@@ -1,6 +1,6 @@
 /* ge_mpm.c: gradient-enhanced projection on tents (W07 section 4): published, and unstable. */
-#include "shapes.h"
-#include "transfers.h"
+#include "methods/parts/shapes.h"
+#include "methods/parts/transfers.h"
 
 const Method method_ge_mpm = {
     .info = {.name = "ge_mpm",

@@ -1,7 +1,7 @@
 /* ge_wls.c: gradient-enhanced WLS: the velocity gradient of W07 as a second equation of W11's least
- * squares, accelerations corrected towards the consistent mass matrix (wls_inertia.c), cut cells
- * with a curved side (wls_squares.c), and v, a and L returned through the spline W. */
-#include "wls_params.h"
+ * squares, accelerations corrected towards the consistent mass matrix (wls/inertia.c), cut cells
+ * with a curved side (polygon.c), and v, a and L returned through the spline W. */
+#include "methods/wls/params.h"
 
 static const Param params[] = WLS_PARAMS(QUADRATURE_EXACT, DISTANCE_CURVED, SPURIOUS_EXTRAPOLATE,
                                          RETURN_SPLINE, MASS_CORRECTED, 2, 0.25);

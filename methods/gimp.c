@@ -1,6 +1,6 @@
 /* gimp.c: contiguous-particle GIMP: exact convolution, half widths follow F (W07 section 2). */
-#include "shapes.h"
-#include "transfers.h"
+#include "methods/parts/shapes.h"
+#include "methods/parts/transfers.h"
 
 const Method method_gimp = {
     .info = {.name = "gimp",

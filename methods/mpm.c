@@ -1,8 +1,8 @@
 /* mpm.c: the material point method: tent functions, mass-weighted projection (W07 eq 2.1).
  * In 2D its default is the velocity-first scheme: central difference with tents is fragile there.
  */
-#include "shapes.h"
-#include "transfers.h"
+#include "methods/parts/shapes.h"
+#include "methods/parts/transfers.h"
 
 const Method method_mpm = {
     .info = {.name = "mpm",

@@ -5,8 +5,8 @@
  * slope returns what PIC's averaging takes from every linear field. Momentum is conserved because
  * sum_i S_ip x_i = x_p. L and v are taken together, so that re-projecting integrators see no stale
  * gradient (unlike the FLIP update of ge_gimp). */
-#include "shapes.h"
-#include "transfers.h"
+#include "methods/parts/shapes.h"
+#include "methods/parts/transfers.h"
 
 static const Param params[] = {SHAPE_PARAM(BY_SPLINE), {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 

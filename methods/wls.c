@@ -1,6 +1,6 @@
 /* wls.c: weighted least squares on the nodes, integrals over cut cells: the reading of W11
  * that runs (its tail of first order included). */
-#include "wls_params.h"
+#include "methods/wls/params.h"
 
 static const Param params[] = WLS_PARAMS(QUADRATURE_CENTROID, DISTANCE_WEIGHTED_MEAN,
                                          SPURIOUS_CONSTANT, RETURN_LINEAR, MASS_LUMPED, 0, 0.12);

@@ -1,6 +1,6 @@
 /* wls2.c: WLS with the causes of its first-order tail cured: distance along normals, exact
  * quadrature of cut cells, spurious velocities extrapolated, a higher trigger weight. */
-#include "wls_params.h"
+#include "methods/wls/params.h"
 
 static const Param params[] = WLS_PARAMS(QUADRATURE_EXACT, DISTANCE_NORMALS, SPURIOUS_EXTRAPOLATE,
                                          RETURN_LINEAR, MASS_LUMPED, 0, 0.25);

@@ -5,7 +5,7 @@
  * a, whose filter tends to the projection that removes the null space alone. In terms of the grid
  * velocity v = S+ V, with A = S+ S: S sum_{l<k} c_l A^l v, c_l = (-1)^l C(k, l+1).
  * Positions and gradient use the plain grid velocity. Order 1 is PIC. */
-#include "filters.h"
+#include "methods/parts/filters.h"
 
 const Method method_xpic = {
     .info = {.name = "xpic",

@@ -9,7 +9,7 @@
  * (dP_ii/dX_i)/rho = (pi^2 u_i/rho) [lambda (1 - ln J)/F_i^2 + mu (1 + 1/F_i^2) - E]. The body
  * starts at rest position with its exact velocity; normal velocities vanish on the sides. */
 #include <math.h>
-#include "../common/problem.h"
+#include "common/contract/problem.h"
 
 enum { AMPLITUDE, E, NU, RHO };
 

@@ -4,7 +4,7 @@
  * changes sign each half period 2 L/c. The strain stays at v0/c = 1 %, so finite strain shows only
  * weakly. */
 #include <math.h>
-#include "../common/problem.h"
+#include "common/contract/problem.h"
 
 enum { E, LAW, V0 };
 

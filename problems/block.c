@@ -9,7 +9,7 @@
  * Coordinates about the block's centre. In 1D the same along its only axis. */
 #include <math.h>
 #include <string.h>
-#include "../common/problem.h"
+#include "common/contract/problem.h"
 
 enum { BOX, STRETCH, ANGLE, OFFSET_X, OFFSET_Y, DRIFT_X, DRIFT_Y, GRAVITY, RIPPLE, SPIN, RATE };
 

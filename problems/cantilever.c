@@ -12,7 +12,7 @@
  * A linear beam's tip sinks by the ends of that load: w(L) = -2.2 m at nu = .3, so that rotations
  * are large. */
 #include <math.h>
-#include "../common/problem.h"
+#include "common/contract/problem.h"
 
 enum { E, NU, SHEAR };
 enum { RAMP, TAU }; /* s->k */

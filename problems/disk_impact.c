@@ -5,8 +5,8 @@
  * beyond, always (bilateral) or only while the body pushes (unilateral). No exact solution: energy
  * and momentum are what can be checked. */
 #include <math.h>
-#include "../common/place.h"
-#include "../common/problem.h"
+#include "common/contract/layout.h"
+#include "common/contract/problem.h"
 
 enum { WALL };
 

@@ -5,7 +5,7 @@
  *   v(X) = w (-Y, X) + (.03, .02) c + .05 c cos 3X cos 2Y (.2 X/(.1 + X^2 + Y^2), Y)
  * with X, Y from the centre, w = .2 c/.7071 (corner speed .2 c) and c of W11 eq 33. */
 #include <math.h>
-#include "../common/problem.h"
+#include "common/contract/problem.h"
 
 enum { BOX, SPIN, DRIFT, SWING };
 

@@ -4,7 +4,7 @@
  * Top nodes are held, sides and bottom are free; the box leaves room for a stretch of 4. A linear
  * bar would sink by up to 2 (rho g H^2/(2 E')) and come back in 4 H/c. */
 #include <math.h>
-#include "../common/problem.h"
+#include "common/contract/problem.h"
 
 enum { E, NU, RHO, GRAVITY };
 

@@ -3,8 +3,8 @@
  * and y = 0. (W11 says "force vector"; as a force per volume the strain would be 1e-5.) No exact
  * solution: fine FEM is the reference (W11 fig 10). */
 #include <math.h>
-#include "../common/place.h"
-#include "../common/problem.h"
+#include "common/contract/layout.h"
+#include "common/contract/problem.h"
 
 static const double radius = 0.5, width = 1, gradient = 5e6; /* [m] [m] [1/s^2] */
 

@@ -7,8 +7,8 @@
  * seed) or graded: denser to the left. */
 #include <gsl/gsl_rng.h>
 #include <math.h>
-#include "../common/place.h"
-#include "../common/problem.h"
+#include "common/contract/layout.h"
+#include "common/contract/problem.h"
 
 enum { BODY, JITTER, GRADING, EDGES };
 enum { BLOCK, STRIP, CORNER, SLIT };

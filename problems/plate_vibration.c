@@ -5,7 +5,7 @@
  * sign): free of rotation, w = pi sqrt(2 (lambda + 2 mu)/rho). Sides are free to move along their
  * normal, not along themselves: tangential velocity 0 on the side nodes and on all nodes beyond. */
 #include <math.h>
-#include "../common/problem.h"
+#include "common/contract/problem.h"
 
 enum { A, MODE, LAW, NU };
 enum { SHEAR, DILATATIONAL };

@@ -11,8 +11,8 @@
  *   b_R = -w^2 s g - (c^2/2) s [(1 + 1/F_rr^2) g'' + (1 + 1/(F_rr F_tt)) (c2 + 2 c3 R)]. */
 #include <math.h>
 #include <stdio.h>
-#include "../common/place.h"
-#include "../common/problem.h"
+#include "common/contract/layout.h"
+#include "common/contract/problem.h"
 
 enum { AMPLITUDE, SECTOR, OFFSET_X, OFFSET_Y, ANGLE };
 enum { QUARTER, FULL };

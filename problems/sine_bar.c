@@ -4,7 +4,7 @@
  * whose V0 J sigma F^-1 = V0 E (F - 1) makes the wave equation linear; the neo-Hookean law departs
  * from it at finite strain, which is why its convergence tails off. */
 #include <math.h>
-#include "../common/problem.h"
+#include "common/contract/problem.h"
 
 enum { E, A, LAW };
 

@@ -5,8 +5,8 @@
  * fig 3. */
 #include <math.h>
 #include <string.h>
-#include "../common/place.h"
-#include "../common/problem.h"
+#include "common/contract/layout.h"
+#include "common/contract/problem.h"
 
 enum { FIELD, ARRANGEMENT };
 enum { FIELD_LINEAR, FIELD_QUADRATIC };

@@ -15,8 +15,8 @@
  * b = x_tt - DIV P/rho = Q [(R a_tt - m (3 a' + R a'')) e_T + R (m a'^2 - a_t^2) e_R], m = mu/rho.
  * At t = 0 and 1 the body is undeformed. */
 #include <math.h>
-#include "../common/place.h"
-#include "../common/problem.h"
+#include "common/contract/layout.h"
+#include "common/contract/problem.h"
 
 enum { TURN, E, NU, RHO, OFFSET_X, OFFSET_Y };
 

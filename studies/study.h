@@ -1,19 +1,19 @@
 /* study.h: what a study is: const data, a list of runs, and a check that reads the finished table.
- * The engine (study.c, journal.c) runs the cases, keeps the journal, writes NAME.csv, .json, .svg,
+ * The engine (run_study.c, journal.c) runs the cases, keeps the journal, writes NAME.csv, .json, .svg,
  * .png; a study page says only what is asked, what is plotted and what is claimed. */
 #ifndef MPMLAB_STUDY_H
 #define MPMLAB_STUDY_H
 
 #include <stdbool.h>
-#include "../common/engine.h"
-#include "../common/table.h"
-#include "measure.h"
+#include "common/run/engine.h"
+#include "common/base/table.h"
+#include "studies/tables/measure.h"
 
 typedef struct Cases Cases;
 typedef struct Check Check;
 
 typedef struct Study {
-    const char *name;                        /* NAME.csv, plots/NAME.gp */
+    const char *name;                        /* NAME.csv, plots/ROOM/NAME.gp */
     const char *figure;                      /* "W07-5" */
     const char *about;                       /* one line */
     void (*cases)(Cases *cases, bool quick); /* or NULL: then tables() writes NAME.csv itself */
@@ -25,7 +25,7 @@ typedef struct Study {
     void (*check)(Check *check, const Table *rows, const char *dir); /* or NULL: nothing claimed */
     int claims;         /* that check() makes, whatever the tables hold */
     bool timed;         /* it measures time: its cases run one by one, whatever --jobs says */
-    const char *script; /* plots/SCRIPT.gp, if that is not NAME */
+    const char *script; /* plots/ROOM/SCRIPT.gp, if that is not NAME */
 } Study;
 
 /* Adds one run, given as the command line would: case_add(cases, "run bar --ppc %d", n). */
@@ -65,5 +65,8 @@ bool row_matches(const Table *t, int row, int n, const char *const where[]);
 int study_case_count(const Study *study, bool quick);
 
 extern const Study *const studies[]; /* registry.c, NULL-terminated */
+
+/* The folder below studies/ and plots/ that holds the study's files; "." if it is not registered. */
+const char *study_room(const Study *study);
 
 #endif

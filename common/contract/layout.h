@@ -1,0 +1,42 @@
+/* layout.h: where the points of a scene start: the plain lattice, or the scene's own arrangement. */
+#ifndef MPMLAB_LAYOUT_H
+#define MPMLAB_LAYOUT_H
+
+#include "common/base/fault.h"
+#include "problem.h"
+
+/* Points in placement order. Owns its arrays; grows by doubling. */
+struct Layout {
+    double dense; /* surface points per particle spacing; 0: 1 */
+    double fit;   /* spacing of a lattice that was fitted to a box, over the one asked for; 0: 1 */
+    int n, room;
+    int lost;            /* points that did not fit into memory: > 0 means failure */
+    double *X[DIM];      /* [m] */
+    double *volume;      /* [m^DIM]; 0 for surface particles */
+    double *normal[DIM]; /* outward unit normal of surface particles, else 0 */
+};
+
+/* Adds a point; normal may be NULL (an interior point). */
+void layout_add(Layout *out, const Vec X, double volume, const double *normal);
+void layout_free(Layout *out);
+
+/* Adds points at mid angles of the arc of radius R about the scene's body [m], at most `spacing`
+ * apart; each has its share of a ring of thickness dr. dr = 0: surface points, as dense as these
+ * are to be, whose normals point outwards (side 1) or inwards (-1). */
+void layout_add_arc(Layout *out, const Scene *scene, double R, double dr, double spacing, int side);
+
+/* Spacing of surface points where particles have the given one [m]. */
+double layout_surface_spacing(const Layout *out, double spacing);
+
+/* Particles per cell of width `cell` [m] as placed: their number over the cells that their volume
+ * would fill; `asked` where that differs by round-off only. NAN if there are none. */
+double layout_ppc(const Layout *out, double asked, double cell);
+
+/* Fills an empty layout for spacing s = 1/(cells n): 1D `count` points evenly over the body, else
+ * the points of the lattice (i + 1/2) s from the origin that lie inside, volume s^DIM, which in a
+ * box is moved and drawn together until it fills it; or the scene's own. Boxes are body-fitted by
+ * the same and by surface points on all faces that are no symmetry lines. */
+int layout_make(Layout *out, const Scene *scene, double spacing, int count, bool fitted,
+                Fault *fault);
+
+#endif

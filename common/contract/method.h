@@ -1,0 +1,140 @@
+/* method.h: the plug-in contract: how a method moves information between particles and grid.
+ *
+ * A method is a const struct of data and of small stages. Each stage is a plain loop over the 64
+ * particles of a chunk, called once per chunk: the call is free and the compiler vectorizes the
+ * loop. The shared core (scheme.h) scatters and gathers between chunk and grid:
+ *
+ *   deposit   node[lane] += w_ip[lane] (A_p[lane] + sum_d B_pd[lane] (x_i - x_p)_d)
+ *   gather    sums_p[lane] = sum_i w_ip[lane] node[lane]
+ *
+ * with w_ip = S_ip for the lanes below FLUX and dS_ip/dx_b for the lane FLUX + b DIM + a. Lanes of
+ * a deposit: dim.h. A gather finds v in lanes 0 .. DIM-1, a in DIM .. 2 DIM - 1 and v once more in
+ * the lanes from FLUX on, which so become the velocity gradient. Slopes B exist on the momentum
+ * lanes only (GE, TPIC and APIC need no more).  */
+#ifndef MPMLAB_METHOD_H
+#define MPMLAB_METHOD_H
+
+#include <stdbool.h>
+#include "dim.h"
+#include "common/base/info.h"
+#include "points.h"
+
+enum {
+    MAX_WIDTH = 33, /* nodes per axis that a stencil may span */
+    MAX_ROUNDS = 16 /* of a velocity filter */
+};
+
+typedef enum { CD, UVF, MUSL, USL, USF, INTEGRATORS } Integrator; /* step.c */
+
+/* What a particle's half width l follows: l0 |F_dd|, l0 U_dd, l0 (stretch.h); and how its F follows
+ * L (strain.h). */
+typedef enum { DOMAIN_FXX, DOMAIN_STRETCH, DOMAIN_UNDEFORMED } Domain;
+typedef enum { STRAIN_LINEAR, STRAIN_EXPONENTIAL, STRAIN_SUBCYCLED } StrainUpdate;
+
+/* What a gather is for; the integrator says. */
+enum {
+    TAKE_V = 1,     /* velocities from a */
+    TAKE_X = 2,     /* positions from v */
+    TAKE_F = 4,     /* L from v, and F from L */
+    TAKE_L = 8,     /* L only: a refreshed gradient */
+    STASH_X = 16,   /* remember the displacement dt v, move later */
+    MOVE_STASH = 32 /* move by what was remembered */
+};
+
+/* 64 particles: pointers into the arrays of sim.h; L, u and w are NULL where not kept. */
+typedef struct Chunk {
+    double *x[DIM], *v[DIM], *F[NMAT], *L[NMAT], *u[DIM], *w[DIM];
+    const double *X[DIM], *m, *V0;
+    const double *normal[DIM]; /* reference normals of surface points, or NULL */
+    const int *id;
+} Chunk;
+
+/* The tables of one axis of a chunk: for node base + k and particle p, at distance r = x_i - x_p.
+ */
+enum { T_S, T_G, T_R, T_Q, TABLES }; /* S [-], G = dS/dx_p [1/cell], R = S r [cell], Q = S r^2 */
+
+typedef struct Stencil {
+    bool on_node;    /* tents: some particle lies on a node of this axis (on_node.c) */
+    int base[CHUNK]; /* first node that each particle sees */
+    Field table[TABLES][MAX_WIDTH];
+} Stencil;
+
+/* A tent's particle closer to a node than this [cells] lies on it. */
+#define ON_NODE 1e-10
+
+/* What a shape may know of its axis: where walls stand, in cells from node 0 (or +-infinity). */
+typedef struct Axis {
+    double wall_lo, wall_hi;
+    bool open_lo, open_hi; /* the wall leaves the motion across it free: the body may cross it */
+} Axis;
+
+/* What a chunk deposits. */
+typedef struct Payload {
+    Field A[LANES];
+    Field B[DIM][DIM]; /* [axis d][component a]: m L_ad of the momentum lanes, if affine; with
+                        * `moments` m L_ad D_d, D_d = sum_i S (x_i - x_p)_d^2 [m^2] as it is now */
+} Payload;
+
+struct Sim;
+
+typedef struct Method {
+    Info info;
+    unsigned valid;          /* bit per Integrator: published or proven sound */
+    unsigned valid_fresh;    /* more of them with refresh=1 */
+    int integrator[4];       /* default by dimension, [0] unused */
+    bool keeps_L;            /* the particle carries its velocity gradient from step to step */
+    bool affine;             /* payload fills B */
+    bool moments;            /* update also reads, and B holds, moments of v about the particle */
+    bool pic;                /* update replaces v by the grid's (for the walls' momentum) */
+    bool turns;              /* keeps angular momentum, sum m (x x v) + its moments */
+    bool linear_exact;       /* projects linear fields exactly from any particle set */
+    bool surface;            /* needs surface particles: */
+    double surface_per_cell; /* so many along a cell's length; 0: as dense as particles */
+    bool about_node;         /* sorted by nearest node, though an odd stencil does not ask for it */
+    bool wall_images;        /* gathers from images of nodes beyond walls, not from held nodes */
+    bool smooth;             /* weights are C1: S ~ eps^2, dS/dx ~ eps at the edge of a support */
+
+    /* Nodes per axis for half widths up to b [cells]; at most MAX_WIDTH. */
+    int (*width)(double b);
+
+    /* S, G and base of one axis: positions x and half widths b [cells]. */
+    void (*shape)(const Axis *axis, int width, const Field x, const Field b, Stencil *out);
+
+    /* A (and B) from the particles; T is V0 J sigma / h [N] (G is per cell), or zero. */
+    void (*payload)(const Chunk *c, const Field T[NMAT], Payload *out);
+
+    /* Particles from the gathered sums, over dt [s]; `take`: TAKE_*. With `moments` a second line
+     * follows: lane LANES + FLUX + b DIM + a is sum_i S v_a (x_i - x_p)_b [m^2/s]. */
+    void (*update)(const Chunk *c, const Field sums[], double dt, unsigned take);
+
+    /* Velocity filter, or NULL: coefficients c[0 .. rounds] of sum_l c_l (S+ S)^l v; returns
+     * rounds, at most MAX_ROUNDS. `par`: the method's parameters. A gather then finds the filtered
+     * velocity in the place of a. filter_first: v before its acceleration is filtered, for particle
+     * velocities alone; else v after it, for all that is gathered, wherever particles are
+     * projected. */
+    int (*filter)(const double *par, double c[]);
+    bool filter_first;
+
+    /* Optional, for methods whose nodes do not come from the deposit above (WLS: least squares and
+     * an integral over cells). `assemble` takes the place of the deposit and leaves every node as a
+     * deposit would: lane 0 mass, momentum, spare lanes mass, internal force in the lanes from FLUX
+     * on, body force in Grid.force; on the real side of symmetry lines only. `repair` comes after
+     * symmetry has folded the nodes and before v = p/m + dt f/m. */
+    void (*assemble)(struct Sim *sim, double t, bool force);
+    void (*repair)(struct Sim *sim, double dt);
+
+    /* Shows the polygons that the last `assemble` integrated over, for output; or NULL. */
+    void (*patches)(const struct Sim *sim, PatchVisit *visit, void *own);
+
+    /* Its workspace Sim.own, once a run (false: out of memory), of node_bytes a grid node; and how
+     * it chooses its stages by parameter: `adapt` changes the run's own copy of this struct. */
+    size_t node_bytes;
+    bool (*make)(struct Sim *sim);
+    void (*free)(struct Sim *sim);
+    void (*adapt)(const double par[], struct Method *own);
+} Method;
+
+/* NULL-terminated, in registry order; methods/registry.c. */
+extern const Method *const methods[];
+
+#endif

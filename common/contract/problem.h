@@ -1,0 +1,107 @@
+/* problem.h: what a scene is: const data and a few functions; it knows no grid, no method, no
+ * solver.
+ *
+ * All functions work on n points at a time. Positions X are reference coordinates [m], one array
+ * per component; the shapes below are [component][point]. */
+#ifndef MPMLAB_PROBLEM_H
+#define MPMLAB_PROBLEM_H
+
+#include <math.h>
+#include <stdbool.h>
+#include "dim.h"
+#include "common/base/info.h"
+#include "material.h"
+
+typedef struct Scene Scene;
+typedef const double *const ConstFields[]; /* read-only component arrays */
+typedef double *const Fields[];            /* component arrays to fill */
+
+/* A line (plane) of grid nodes x[axis] = at where something is imposed, from there outwards. */
+typedef struct Wall {
+    int axis;
+    int side;      /* -1: nodes at and below `at` are held, the body lies above; +1: the reverse */
+    double at;     /* [m] on a grid line: a multiple of every cell size in use */
+    unsigned hold; /* bit a set: v_a = a_a = 0 there */
+    bool mirror;   /* symmetry: beyond lies the mirrored body; hold is unused */
+    bool unilateral; /* hold only while the body pushes against it, then bring it to rest */
+} Wall;
+
+enum { MAX_WALLS = 8, MAX_DERIVED = 16 };
+
+/* The body as data, for who must fit points or triangles to it. Box: body_lo to body_hi. Ring,
+ * disk: radii [m] about centre, angles [rad]. Hole plate: the box less a hole of radius inner about
+ * centre. */
+typedef enum { BODY_BOX, BODY_RING, BODY_DISK, BODY_HOLE_PLATE } BodyKind;
+
+typedef struct Body {
+    BodyKind kind;
+    Vec centre;
+    double inner, outer;
+    double angle_lo, angle_hi;
+} Body;
+
+typedef struct Layout Layout; /* layout.h: a growing list of points */
+
+typedef struct Problem {
+    Info info;
+    double cells, ppc, cfl; /* defaults */
+    int steps;              /* default duration in steps, if the scene has no t_end of its own */
+    bool projection;        /* no time: errors are those of the projected node velocities */
+
+    /* Material, domain, walls, times and derived constants from the parameters. 0, or -1 with one
+     * line in why[128] if they make no sense together. */
+    int (*init)(Scene *s, char why[128]);
+
+    /* Is X inside the body? Bounded by body_lo, body_hi. NULL: the whole box is the body. */
+    bool (*inside)(const Scene *s, const Vec X);
+
+    /* Adds the scene's own arrangement of points of the given spacing [m] (layout_add), body-fitted
+     * if asked for. Returns false to leave it to the plain lattice. NULL: always the lattice. */
+    bool (*place)(const Scene *s, double spacing, bool fitted, Layout *out);
+
+    /* Initial state, arrays preset to u = 0, v = 0, F = I, L = 0. NULL: at rest. L [1/s] is the
+     * exact initial velocity gradient where the scene has one. */
+    void (*start)(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fields F, Fields L);
+
+    /* Exact displacement at time t [s], or NULL. A projection gives the velocity field instead. */
+    void (*exact)(const Scene *s, int n, ConstFields X, double t, Fields u);
+
+    /* How far x (current, not reference) lies inside the moving body at time t, or NULL. */
+    double (*distance)(const Scene *s, const Vec x, double t);
+
+    /* Imposed motion: overwrites the velocities v of what is at x (current) at time t, before every
+     * step; may leave them alone. NULL: always free. */
+    void (*impose)(const Scene *s, int n, ConstFields x, double t, Fields v);
+
+    /* Body force per mass [m/s^2] at reference position X and time t, or NULL. */
+    void (*body)(const Scene *s, int n, ConstFields X, double t, Fields b);
+} Problem;
+
+struct Scene {
+    const Problem *problem;
+    const double *par; /* values in the order of problem->info.params; owned by the run */
+    double cell;       /* [m] grid spacing, set before init; only for parameters given in cells */
+    Material mat;
+    Vec lo, hi;           /* domain of the grid [m]: particles that leave it are lost */
+    Vec body_lo, body_hi; /* box around the body [m] */
+    Body body;
+    Wall wall[MAX_WALLS];
+    int nwall;
+    double c;              /* [m/s] the speed in dt0 = CFL h/c */
+    double t_end;          /* [s] default duration; 0: none */
+    double error_scale;    /* errors are divided by it; NAN: no errors in this scene */
+    double k[MAX_DERIVED]; /* constants derived by init, for the problem's own use */
+};
+
+/* The error scale of a scene whose exact motion has this amplitude. Without motion there is none: a
+ * body that rests can not be wrong, so that an error of 0 would say nothing, and errors relative to
+ * the amplitude are 0/0. The error columns of such a run are empty. */
+static inline double scale_of_motion(double amplitude, double scale)
+{
+    return fabs(amplitude) > 0 ? fabs(scale) : NAN;
+}
+
+/* NULL-terminated, in registry order; problems/registry.c. */
+extern const Problem *const problems[];
+
+#endif

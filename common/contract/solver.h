@@ -1,0 +1,85 @@
+/* solver.h: a solver + a scene + parameters -> one row. */
+#ifndef MPMLAB_SOLVER_H
+#define MPMLAB_SOLVER_H
+
+#include "common/run/engine.h"
+#include "method.h"
+#include "points.h"
+#include "problem.h"
+
+typedef enum { OK, LEFT_GRID, INVERTED, NOT_A_NUMBER, SINGULAR, EMPTY, ENERGY_GROWTH } StatusCode;
+
+/* How a step ended; `point` is the id of the first culprit (particle, or element of FEM), or -1. */
+typedef struct Status {
+    StatusCode code;
+    int point;
+    double value; /* what was wrong: J, a position, ... */
+} Status;
+
+/* Everything a solver is built from. Not owned by the solver, but outlives it. */
+typedef struct Setup {
+    const Scene *scene;
+    const Method *method;     /* NULL for FEM */
+    const double *method_par; /* values in the order of the method's params */
+    Integrator integrator;
+    int cells; /* per unit length; h = 1/cells */
+    double ppc;
+    int count;           /* particles asked for by number (1D), or 0 */
+    bool fitted;         /* body-fitted layout */
+    bool refresh;        /* L from the accelerated grid velocity before a re-projection */
+    Domain domain;       /* of particle boxes */
+    StrainUpdate strain; /* of F */
+    int subcycles;       /* of STRAIN_SUBCYCLED, >= 1 */
+    bool snapshot_nodes; /* nodes() will be called */
+    int threads;
+} Setup;
+
+/* What the row reports of a solver. */
+typedef struct Counts {
+    double ppc;     /* really used */
+    int particles;  /* with mass; FEM: nodes */
+    int surface;    /* surface particles */
+    int elements;   /* FEM; -1 otherwise */
+    long nodes;     /* most live grid nodes at any step; -1: no step got that far, or FEM */
+    long fallbacks; /* nodes that fell back from their method's own rule; -1: has none */
+} Counts;
+
+/* Something that advances points in time. `self` is what make returned. One per kind: the particle
+ * core (step.c), the FEM reference. */
+typedef struct Solver {
+    Info info; /* of a solver that is chosen by name like a method (FEM); else empty */
+
+    /* Builds everything; NULL and a fault (2: no mesh for this scene, bad ppc; 1: memory, said
+     * before it is allocated). */
+    void *(*make)(const Setup *setup, Fault *fault);
+
+    /* Largest stable-looking step [s] for CFL 1, where it is not h/c (FEM's small triangles); or
+     * NULL. */
+    double (*unit_dt)(const void *self);
+
+    /* One step from t to t + dt [s]; `first` takes the half first step where the integrator has it.
+     */
+    Status (*step)(void *self, double t, double dt, bool first);
+
+    /* Project velocities to the grid only (projection scenes); NULL if it makes no sense. */
+    Status (*project)(void *self);
+
+    void (*view)(const void *self, Points *points, Samples *samples);
+    void (*nodes)(const void *self, Nodes *nodes); /* NULL if none */
+    void (*counts)(const void *self, Counts *counts);
+
+    /* Momentum [kg m/s] that body forces and boundary conditions have given since the start. */
+    void (*impulse)(const void *self, Vec out);
+
+    /* Shows every polygon of the mesh or of the grid's cells as the last step had them; NULL: none.
+     * `elements`: they carry strain, in a fixed order. */
+    void (*patches)(const void *self, PatchVisit *visit, void *own);
+    bool elements;
+
+    /* F and Cauchy stress of every point slot, components row-major (FEM: mean of elements). */
+    void (*point_stress)(const void *self, Fields F, Fields sigma);
+
+    void (*free)(void *self);
+} Solver;
+
+#endif

@@ -1,0 +1,165 @@
+/* sim.h: the particles and the grid of one run. Layout and bounds: see scheme.h.
+ *
+ * Particles are arrays per component, sorted by grid cell (rows last), in chunks of 64 that never
+ * span two blocks of rows; a block is filled up with massless copies (id -1). Nodes are lines of
+ * LANES doubles; only the live span of each row is ever touched. */
+#ifndef MPMLAB_SIM_H
+#define MPMLAB_SIM_H
+
+#include <stddef.h>
+#include "common/contract/method.h"
+#include "common/contract/solver.h"
+
+/* Particle fields; each is an array over slots, or NULL where the run does not need it. */
+enum {
+    AT_X0 = 0,          /* reference position [m], DIM of them */
+    AT_X = AT_X0 + DIM, /* position [m] */
+    AT_V = AT_X + DIM,  /* velocity [m/s] */
+    AT_F = AT_V + DIM,  /* deformation gradient [-], NMAT of them */
+    AT_M = AT_F + NMAT, /* mass [kg] */
+    AT_VOL = AT_M + 1,  /* reference volume [m^DIM] */
+    AT_L = AT_VOL + 1,  /* velocity gradient [1/s], NMAT: if the method keeps it */
+    AT_U = AT_L + NMAT, /* displacement of this step [m], DIM: if the integrator keeps it */
+    AT_W = AT_U + DIM,  /* velocity in a filter's round [m/s], DIM: if the method has a filter */
+    AT_N = AT_W + DIM,  /* outward normal in the reference state, DIM: of surface points */
+    FIELDS = AT_N + DIM
+};
+
+typedef struct Particles {
+    int count;   /* real ones, surface points included */
+    int n, room; /* slots in use and allocated, multiples of CHUNK */
+    double *field[FIELDS];
+    double *spare;                  /* [room] for sorting */
+    double *arena;                  /* owns all fields and the spare one */
+    int *id;                        /* [room] placement order; -1: padding */
+    int *order, *source, *key[DIM]; /* [room] for sorting */
+} Particles;
+
+/* Chunks [first, last) of one block of grid rows. Blocks of equal parity never touch a common node.
+ */
+typedef struct Block {
+    int first, last;
+} Block;
+
+/* A symmetry line: index `at` of `axis`; ghosts lie on `side` (-1 or +1). */
+typedef struct Mirror {
+    int axis, at, side;
+} Mirror;
+
+/* A wall that holds its nodes (index `at` and beyond, on `side`) only while they push against it.
+ */
+typedef struct Stop {
+    int axis, at, side;
+    unsigned hold; /* bit a: component a */
+} Stop;
+
+typedef struct Grid {
+    int cells;                /* per unit length; h = 1/cells [m] */
+    int origin[DIM];          /* node index 0 lies at x = origin/cells */
+    int n[DIM];               /* nodes per axis, ghosts included */
+    int rows;                 /* n[1] n[2] ...: lines of nodes along axis 0 */
+    Line *node;               /* [rows * n[0]] lanes: dim.h */
+    Line *keep;               /* [rows * n[0]] what a velocity filter puts aside, or NULL */
+    Line zero;                /* an empty node */
+    double *force;            /* [rows * n[0]][DIM] body force [N], or NULL */
+    double *mass;             /* [rows * n[0]] copy for who looks at nodes, or NULL */
+    unsigned char *body;      /* [rows * n[0]] the node is the body's, for particles on nodes */
+    Axis axis[DIM];           /* where walls stand, for shapes that fold their weights there */
+    unsigned char *hold[DIM]; /* [n[d]] bit a: component a is held at this index of axis d */
+    Mirror mirror[2 * DIM];   /* by axis */
+    int nmirror;
+    Stop stop[2 * DIM]; /* unilateral walls; not in hold */
+    int nstop;
+    int *lo, *hi; /* [rows] live span: nodes lo <= i < hi of each row */
+    int *count;   /* [longest axis + 1] for sorting */
+    Vec *impulse; /* [rows] [kg m/s] momentum ledger of this step */
+    int *live;    /* [rows] nodes with mass */
+} Grid;
+
+typedef struct Sim {
+    const Setup *setup;
+    Method method; /* the run's own copy */
+    void *own;     /* the method's workspace, or NULL */
+    Particles p;
+    Grid g;
+    Block *block;
+    int nblock, block_rows;
+    double ppc;       /* particles per cell, as placed */
+    double half;      /* l0/h: half width of an undeformed particle in cells */
+    double half_max;  /* widest half width that the stencils allow for, in cells */
+    double half_plan; /* the one that the current order and spans were made for */
+    double half_now;  /* widest now */
+    double key_shift; /* particles are sorted by floor(x + this), in cells */
+    double travel;    /* farthest any particle may have moved since the last sort, in cells */
+    double mass_cut;  /* nodes with less are empty [kg] */
+    double mass_body; /* nodes with less get no stress from particles on nodes [kg] */
+    long nodes, live; /* most live nodes so far; those of the last solve */
+    Vec impulse;      /* [kg m/s] given by body forces and walls so far */
+    double dx;        /* 1/cells [m] */
+    int surface;      /* surface particles, if the method has any */
+    long fallbacks;   /* nodes that fell back from their method's own rule, summed over steps */
+    Status status;    /* what ended the run: no step is taken after it */
+} Sim;
+
+/* Places and allocates everything; NULL and a fault (2: parameters, 1: memory, before it is taken).
+ */
+Sim *sim_new(const Setup *setup, Fault *fault);
+void sim_free(Sim *sim);
+
+/* Are order, spans and sizes consistent? For assertions and tests. */
+bool sim_is_valid(const Sim *sim);
+
+/* Sorts particles by cell, rebuilds blocks, padding and live spans; sort.c. */
+void sim_sort(Sim *sim);
+
+/* Symmetry: ghosts beyond each mirror line are added to their images (fold, after a deposit; body
+ * force too) and filled from them (unfold, before a gather); mirror.c. All by parity per component,
+ * so that no method knows of it. unfold also books what the ghosts' share of momentum received. */
+void grid_fold(Sim *sim);
+typedef void PairVisit(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
+                       void *own);
+void grid_visit_pairs(Sim *sim, bool back, PairVisit *visit, void *own); /* ghosts, their images */
+void grid_unfold(Sim *sim, double dt);
+void grid_mirror_spans(Grid *g);
+void grid_wall_images(
+    Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */
+bool grid_is_ghost_row(const Grid *g, int row, int above); /* of a mirror across an axis > above */
+
+/* Which components unilateral walls hold at node i of a row, whose p and f are those of the equations
+ * of motion over dt [s]; solve.c. */
+unsigned grid_stops(const Grid *g, int row, int i, double dt);
+
+/* Node number of grid index `index`, or of its image if it lies beyond a symmetry line: then
+ * sign[a] is the parity of component a, else 1. NOWHERE outside the live nodes. */
+#define NOWHERE ((size_t)-1)
+size_t grid_image(const Grid *g, const int index[DIM], double sign[DIM]);
+
+/* What a chunk's points carry at time t: T = J sigma [Pa] and body force per mass b [m/s^2] (0 if
+ * the scene has none). Distance [cells] of a node inside the body, from a scene that knows it; else
+ * NAN. deposit.c. */
+void sim_stress(const Sim *sim, const Chunk *c, Field T[NMAT]);
+void sim_body(const Sim *sim, const Chunk *c, double t, Field b[DIM]);
+double sim_distance(const Sim *sim, const int index[DIM], double t);
+
+/* The view of chunk k that a method's stages work on. */
+static inline Chunk sim_chunk(const Sim *sim, int k)
+{
+    const Particles *p = &sim->p;
+    const size_t at = (size_t)k * CHUNK;
+    Chunk c = {.m = p->field[AT_M] + at, .V0 = p->field[AT_VOL] + at, .id = p->id + at};
+    for (int d = 0; d < DIM; d++) {
+        c.X[d] = p->field[AT_X0 + d] + at;
+        c.x[d] = p->field[AT_X + d] + at;
+        c.v[d] = p->field[AT_V + d] + at;
+        c.u[d] = p->field[AT_U + d] ? p->field[AT_U + d] + at : NULL;
+        c.w[d] = p->field[AT_W + d] ? p->field[AT_W + d] + at : NULL;
+        c.normal[d] = p->field[AT_N + d] ? p->field[AT_N + d] + at : NULL;
+    }
+    for (int k2 = 0; k2 < NMAT; k2++) {
+        c.F[k2] = p->field[AT_F + k2] + at;
+        c.L[k2] = p->field[AT_L + k2] ? p->field[AT_L + k2] + at : NULL;
+    }
+    return c;
+}
+
+#endif

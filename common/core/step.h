@@ -1,0 +1,29 @@
+/* step.h: one explicit time step of the particle core, for every integrator. */
+#ifndef MPMLAB_STEP_H
+#define MPMLAB_STEP_H
+
+#include "common/contract/solver.h"
+#include "sim.h"
+
+/* Names as typed: "cd", "uvf", "musl", "usl", "usf". */
+extern const char *const integrator_names[INTEGRATORS + 1];
+
+/* Does its first step take half the acceleration, so that velocities live half a step after t? */
+bool integrator_half_first(Integrator i);
+
+/* One step from t to t + dt [s]; `first` takes the half first step where the integrator has one.
+ * Returns the first thing that went wrong (lowest particle id), with the particles left as they
+ * are; a Sim that went wrong takes no more steps and says the same again. */
+Status sim_step(Sim *sim, double t, double dt, bool first);
+
+/* Masses and velocities to the grid, nothing else. */
+Status sim_project(Sim *sim);
+
+/* The first particle that is not a number, has left the grid or is turned inside out. (SINGULAR, no
+ * node has mass, is found by the step itself.) */
+Status sim_check(const Sim *sim);
+
+/* The particle core as a Solver; `self` is a Sim. */
+extern const Solver particle_solver;
+
+#endif

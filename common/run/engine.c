@@ -1,0 +1,97 @@
+/* engine.c: this dimension as the program sees it: the one symbol that stays visible. */
+#include <math.h>
+#include <string.h>
+#include "plan.h"
+
+static int resolve(RunSpec *spec, Fault *fault)
+{
+    Plan plan;
+    return plan_make(spec, &plan, fault);
+}
+
+static void say_params(const Param *p, FILE *out)
+{
+    for (; p && p->name; p++) {
+        char value[64];
+        param_print(p, p->value, value);
+        fprintf(out, "%s\t%s\t%s\t%s%s%s%s\t%s\n", p->name, value, *p->unit ? p->unit : "-",
+                p->meaning, p->choices ? " (" : "", p->choices ? p->choices : "",
+                p->choices ? ")" : "", p->source);
+    }
+}
+
+static void say_info(const Info *info, const char *kind, FILE *out)
+{
+    fprintf(out, "%s\t%s\t%dD\t%s\nsource\t%s\n", kind, info->name, DIM, info->about, info->source);
+    fprintf(out, "parameter\tdefault\tunit\tmeaning\tsource\n");
+}
+
+static void say_problem(const Problem *p, FILE *out)
+{
+    RunSpec spec = {0};
+    Plan plan;
+    strcpy(spec.problem, p->info.name);
+    if (plan_make(&spec, &plan, NULL)) return;
+    const Material *m = &plan.scene.mat;
+    say_info(&p->info, "problem", out);
+    fprintf(out, "cells\t%g\t1/m\tcells per unit length\t\n", p->cells);
+    fprintf(out, "ppc\t%g\t-\tparticles per cell\t\n", p->ppc);
+    if (!p->projection) {
+        fprintf(out, "cfl\t%g\t-\ttime step over h/c\t\n", p->cfl);
+        fprintf(out, "t_end\t%.9g\ts\tend of the run\t\n", plan.scene.t_end);
+    }
+    say_params(p->info.params, out);
+    say_params(common_params, out);
+    if (p->projection) return;
+    fprintf(out, "wave speed\t%.9g\tm/s\tc in dt0 = CFL h/c\t\n", plan.scene.c);
+    fprintf(out, "wave speed\t%.9g\tm/s\tbar, sqrt(E/rho)\t\n", wave_speed_bar(m));
+    fprintf(out, "wave speed\t%.9g\tm/s\tP wave, sqrt((lambda + 2 mu)/rho)\t\n", wave_speed_p(m));
+    fprintf(out, "wave speed\t%.9g\tm/s\tupper bound, sqrt((lambda + 3 mu)/rho)\tW11 eq 33\n",
+            wave_speed_bound(m));
+}
+
+static int describe(const char *name, FILE *out)
+{
+    for (const Problem *const *p = problems; *p; p++)
+        if (strcmp((*p)->info.name, name) == 0) {
+            say_problem(*p, out);
+            return 0;
+        }
+    for (const Info *const *m = method_infos; *m; m++)
+        if (strcmp((*m)->name, name) == 0) {
+            say_info(*m, "method", out);
+            say_params((*m)->params, out);
+            return 0;
+        }
+    return -1;
+}
+
+/* A chunk of one position; the other 63 see the same. */
+static int weight(const char *name, double x, double l, double *S, double *G)
+{
+    const Axis open_axis = {.wall_lo = -INFINITY, .wall_hi = INFINITY};
+    Field at, half;
+    Stencil s;
+    for (int p = 0; p < CHUNK; p++) at[p] = x + (double)MAX_WIDTH, half[p] = l;
+    for (const Method *const *m = methods; *m; m++) {
+        if (strcmp((*m)->info.name, name)) continue;
+        const int width = (*m)->width(l);
+        (*m)->shape(&open_axis, width, at, half, &s);
+        const int node = MAX_WIDTH - s.base[0];
+        const bool seen = node >= 0 && node < width;
+        *S = seen ? s.table[T_S][seen ? node : 0][0] : 0;
+        *G = seen ? s.table[T_G][seen ? node : 0][0] : 0;
+        return 0;
+    }
+    return -1;
+}
+
+const Engine ENGINE_NAME = {
+    .dim = DIM,
+    .problems = problem_infos,
+    .methods = method_infos,
+    .resolve = resolve,
+    .run = run_spec,
+    .describe = describe,
+    .weight = weight,
+};

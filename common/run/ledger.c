@@ -1,0 +1,152 @@
+/* ledger.c: energy, momentum, work and errors of a run, instant by instant (loop.h). */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include "loop.h"
+#include "common/core/step.h"
+
+static Points points_of(const Loop *l)
+{
+    Points p;
+    Samples q;
+    l->plan->solver->view(l->self, &p, &q);
+    return p;
+}
+
+Side measure_side(const Loop *l)
+{
+    const Points p = points_of(l);
+    Side s;
+    s.kinetic = kinetic_energy(&p);
+    s.mv = momentum(&p, s.p);
+    return s;
+}
+
+void measure_state(Loop *l, Moment *m)
+{
+    Points p;
+    Samples q;
+    l->plan->solver->view(l->self, &p, &q);
+    m->strain = strain_energy(&l->plan->scene, &q, &l->scratch);
+    if (!l->history) return;
+    const Volumes v = volumes(&q);
+    m->volume = v.sum;
+    m->least_J = v.least;
+    m->most_J = v.most;
+    m->angular = angular_momentum(&p);
+}
+
+/* The larger number; NAN, which stands for nothing measured so far, is less than any. */
+static double larger(double a, double b)
+{
+    return a >= b || isnan(b) ? a : b;
+}
+
+/* Kinetic energy of the change of velocity in a step, at least: sum m |dv|^2/2 [J]. */
+static double of_change(const Side *before, const Side *after)
+{
+    return pow(sqrt(after->kinetic) - sqrt(before->kinetic), 2);
+}
+
+/* Integrators without a half first step move points as if the scene's velocity were that of
+ * t = -dt/2: they start from the energy of the velocity half a step later. The mean of two kinetic
+ * energies exceeds that of the mean velocity by a quarter of the change's. */
+void record_start(Loop *l, const Side *before, const Side *after, double strain)
+{
+    const double mean = 0.5 * (before->kinetic + after->kinetic) - 0.25 * of_change(before, after);
+    const bool half_first = integrator_half_first(l->plan->setup.integrator);
+    const Points p = points_of(l);
+    l->base = (half_first ? before->kinetic : mean) + strain;
+    l->noise = 0;
+    for (int k = 0; k < p.n; k++) l->noise += 16 * DBL_EPSILON * p.m[k] * pow(l->plan->scene.c, 2);
+}
+
+/* Growth is what K + S - W has above its start beyond 5 % of the largest K + S so far, and beyond
+ * what time steps leave open, which is all there is in the first steps from rest: the mean of
+ * K(n-1/2) and K(n+1/2) exceeds K at t_n by a quarter of the energy of_change, and under a force
+ * that rises from nothing the trapezoidal rule misses as much of W. The stored
+ * energy per volume is a difference of numbers of the size of the moduli, rho c^2: growth is beyond
+ * their round-off, too, which is all there is in a body at rest. */
+static bool is_growth(const Loop *l, const Side *before, const Side *after)
+{
+    const double open = 0.5 * of_change(before, after);
+    return l->now - l->base - open > 0.05 * l->largest + l->noise;
+}
+
+/* The point to blame where there is too much energy. */
+static void note_growth(Loop *l)
+{
+    const Points p = points_of(l);
+    l->growth_step = l->done;
+    l->fastest = fastest_point(&p, &l->speed);
+}
+
+void record_energy(Loop *l, Moment *m, const Side *before, const Side *after)
+{
+    const double stored = m->kinetic + m->strain;
+    m->work = l->work;
+    l->now = stored - l->work;
+    if (l->instants++ == 0) l->start = l->now;
+    l->largest = larger(l->largest, stored);
+    if (l->growth_step < 0 && l->done > 0 && is_growth(l, before, after)) note_growth(l);
+    if (l->history) history_line(l->history, m);
+}
+
+void record_momentum(Loop *l, const Side *after)
+{
+    Vec impulse;
+    double square = 0;
+    l->plan->solver->impulse(l->self, impulse);
+    for (int d = 0; d < DIM; d++) square += pow(after->p[d] - l->p0[d] - impulse[d], 2);
+    l->drift = larger(l->drift, sqrt(square));
+    l->momentum = larger(l->momentum, after->mv);
+}
+
+void record_errors(Loop *l, Errors e)
+{
+    l->worst.linf = larger(l->worst.linf, e.linf);
+    l->worst.l2 = larger(l->worst.l2, e.l2);
+    l->worst.l1 = larger(l->worst.l1, e.l1);
+}
+
+static void keep_positions(Loop *l, const Points *p)
+{
+    for (int d = 0; d < DIM; d++)
+        for (int k = 0; k < p->n; k++)
+            if (p->id[k] >= 0) l->from[d][p->id[k]] = p->x[d][k];
+}
+
+bool ledger_open(Loop *l)
+{
+    const Points p = points_of(l);
+    bool ok = true;
+    for (int d = 0; d < DIM; d++)
+        ok = (l->from[d] = malloc(sizeof(double) * (size_t)(p.n + 1))) && ok;
+    if (ok) keep_positions(l, &p);
+    return ok;
+}
+
+void ledger_close(Loop *l)
+{
+    for (int d = 0; d < DIM; d++) free(l->from[d]);
+}
+
+/* Body forces act on the way from t to t + dt with the mean of what they are at both ends. */
+void record_work(Loop *l, double t)
+{
+    const Scene *scene = &l->plan->scene;
+    const Points p = points_of(l);
+    const double *const *from = (const double *const *)l->from;
+    l->work += 0.5 * (body_work(scene, &p, from, t, &l->scratch) +
+                      body_work(scene, &p, from, t + l->dt, &l->scratch));
+    keep_positions(l, &p);
+}
+
+bool has_moved(const Loop *l)
+{
+    const Points p = points_of(l);
+    for (int d = 0; d < DIM; d++)
+        for (int k = 0; k < p.n; k++)
+            if (p.id[k] >= 0 && !(p.x[d][k] == l->from[d][p.id[k]])) return true;
+    return false;
+}

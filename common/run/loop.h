@@ -1,0 +1,70 @@
+/* loop.h: a run under way, shared by the time loop (run.c) and the row it becomes (report.c). */
+#ifndef MPMLAB_LOOP_H
+#define MPMLAB_LOOP_H
+
+#include <stdio.h>
+#include "norm.h"
+#include "output.h"
+#include "plan.h"
+#include "snapshot.h"
+
+/* Energy and momentum at a half step: before or after a time step. */
+typedef struct Side {
+    double kinetic, mv; /* [J] [kg m/s] sum m |v| */
+    Vec p;              /* [kg m/s] */
+} Side;
+
+typedef struct Loop {
+    const Plan *plan;
+    void *self;
+    Scratch scratch;
+    FILE *history;
+    Snapshots shots; /* dir NULL: none are asked for */
+    int code;        /* 0, or what went wrong with an output */
+    Fault *fault;
+    double dt;
+    long n, done;               /* steps planned and finished */
+    double cpu, wall;           /* [s] inside the solver's step */
+    Errors worst;               /* running maxima */
+    double start, now, largest; /* K + S - W at the start and now, largest K + S */
+    double base;                /* [J] K + S that energy growth is counted from */
+    double noise;               /* [J] round-off of stored energy */
+    long instants;              /* whose energy is recorded */
+    double work;                /* [J] of body forces on the steps finished */
+    double *from[DIM];          /* [m] positions by id after the last finished step; owned */
+    Vec p0;
+    double drift, momentum; /* largest |p - p0 - impulse|, largest sum m |v| */
+    Status status;
+    double failed_at; /* [s] */
+    long growth_step; /* first step with too much energy, or -1 */
+    int fastest;      /* point then, and its speed [m/s] */
+    double speed;
+    Moment last; /* what is known of the last instant */
+} Loop;
+
+/* Takes down where the points are, and frees that; false: out of memory. ledger.c. */
+bool ledger_open(Loop *l);
+void ledger_close(Loop *l);
+
+Side measure_side(const Loop *l);
+void measure_state(Loop *l, Moment *m); /* what depends on positions and F: energy, volume, ... */
+
+/* The energy growth is counted from: given both sides of the first step and the strain energy. */
+void record_start(Loop *l, const Side *before, const Side *after, double strain);
+
+/* Energies of the instant m->t between two sides. */
+void record_energy(Loop *l, Moment *m, const Side *before, const Side *after);
+void record_momentum(Loop *l, const Side *after);
+void record_work(Loop *l, double t); /* of the step from t that has just been finished */
+void record_errors(Loop *l, Errors e);
+
+/* Has any point another position than after the last finished step? A step that fails may have
+ * moved the points, or not. */
+bool has_moved(const Loop *l);
+
+/* What was asked for; and what became of it. */
+void report_inputs(const RunSpec *spec, const Plan *plan, Row *row);
+void report_counts(const Loop *l, Row *row);
+void report_results(const Loop *l, Row *row);
+
+#endif

@@ -1,0 +1,136 @@
+/* output.c: see output.h. Columns are the same in every dimension; absent ones stay empty. */
+#include <math.h>
+#include "output.h"
+#include "state.h"
+#include "common/base/table.h"
+
+static void number(FILE *out, double x, const char *after)
+{
+    if (!isnan(x)) fprintf(out, "%.17g", x);
+    fputs(after, out);
+}
+
+static double axis(const double *const v[DIM], int a, int k)
+{
+    return a < DIM ? v[a % DIM][k] : NAN;
+}
+
+void history_header(FILE *out)
+{
+    fputs(
+        "t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume,least_J,most_J,angular\n",
+        out);
+}
+
+void history_line(FILE *out, const Moment *m)
+{
+    const double columns[] = {m->t,
+                              m->kinetic,
+                              m->strain,
+                              m->work,
+                              m->kinetic + m->strain,
+                              m->momentum[0],
+                              DIM > 1 ? m->momentum[DIM > 1] : NAN,
+                              m->error_linf,
+                              m->dt,
+                              m->volume,
+                              m->least_J,
+                              m->most_J,
+                              m->angular};
+    const int n = sizeof columns / sizeof *columns;
+    for (int k = 0; k < n; k++) number(out, columns[k], k + 1 < n ? "," : "\n");
+}
+
+/* Component k of a row of three, empty beyond DIM. */
+static double component(const double row[3], int k)
+{
+    return k < DIM ? row[k] : NAN;
+}
+
+static void state_line(FILE *out, const State *s, int k)
+{
+    const double *f = s->F[k], *t = s->sigma[k];
+    const double tensors[] = {f[0], f[1], f[3], f[4], t[0], t[4], t[1], t[8]};
+    const bool in_line[] = {1, 0, 0, 0, 1, 0, 0, 0}; /* what there is of them in 1D */
+    const double *const vectors[] = {s->X[k], s->x[k], s->v[k]};
+    fprintf(out, "%lld,", (long long)s->id[k]);
+    for (int v = 0; v < 3; v++)
+        for (int a = 0; a < 2; a++) number(out, component(vectors[v], a), ",");
+    for (int c = 0; c < 8; c++) number(out, DIM > 1 || in_line[c] ? tensors[c] : NAN, ",");
+    number(out, s->von_mises[k], ",");
+    number(out, s->m[k], s->surface[k] ? ",1," : ",0,");
+    number(out, s->energy[k], "\n");
+}
+
+static int write_state(const char *path, const State *s, Fault *fault)
+{
+    FILE *out = file_begin(path, fault);
+    if (!out) return FAULT_MACHINE;
+    fputs("id,X,Y,x,y,vx,vy,Fxx,Fxy,Fyx,Fyy,sxx,syy,sxy,szz,von_mises,mass,surface,energy\n", out);
+    for (int k = 0; k < s->n; k++) state_line(out, s, k);
+    return file_commit(out, path, fault);
+}
+
+int write_particles(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                    Fault *fault)
+{
+    State s;
+    if (state_of_points(&s, scene, solver, self, fault)) return FAULT_MACHINE;
+    const int code = write_state(path, &s, fault);
+    state_free(&s);
+    return code;
+}
+
+int write_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                  Fault *fault)
+{
+    State s;
+    if (!solver->elements) return write_particles(path, scene, solver, self, fault);
+    if (state_of_elements(&s, scene, solver, self, fault)) return FAULT_MACHINE;
+    const int code = write_state(path, &s, fault);
+    state_free(&s);
+    return code;
+}
+
+int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault)
+{
+    Nodes n;
+    FILE *out = file_begin(path, fault);
+    if (!out) return FAULT_MACHINE;
+    solver->nodes(self, &n);
+    fputs("id,x,y,mass,vx,vy\n", out);
+    for (int k = 0; k < n.n; k++) {
+        fprintf(out, "%d,", k);
+        for (int a = 0; a < 2; a++) number(out, axis(n.x, a, k), ",");
+        number(out, n.m[k], ",");
+        number(out, n.v[0][k], ",");
+        number(out, axis(n.v, 1, k), "\n");
+    }
+    return file_commit(out, path, fault);
+}
+
+typedef struct Polygons {
+    FILE *out;
+    int n;
+} Polygons;
+
+static void patch_lines(void *own, const Patch *patch)
+{
+    Polygons *p = own;
+    if (p->n) fputs("\n", p->out);
+    for (int k = 0; k < patch->sides; k++) {
+        fprintf(p->out, "%d,%d,", p->n, k);
+        for (int d = 0; d < DIM; d++) number(p->out, patch->corner[k][d], ",");
+        fputs(patch->cut ? "1\n" : "0\n", p->out);
+    }
+    p->n++;
+}
+
+int write_patches(const char *path, const Solver *solver, const void *self, Fault *fault)
+{
+    Polygons p = {file_begin(path, fault), 0};
+    if (!p.out) return FAULT_MACHINE;
+    fputs("cell,k,x,y,cut\n", p.out);
+    solver->patches(self, patch_lines, &p);
+    return file_commit(p.out, path, fault);
+}

@@ -1,0 +1,261 @@
+/* plan.c: see plan.h. The rules of CONTRACT.md's parameter section. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "settings.h"
+#include "common/core/step.h"
+
+static int param_count(const Param *p)
+{
+    int n = 0;
+    while (p && p[n].name) n++;
+    return n;
+}
+
+static const Param *param_find(const Param *p, const char *name)
+{
+    for (; p && p->name; p++)
+        if (strcmp(p->name, name) == 0) return p;
+    return NULL;
+}
+
+static int whole(const char *name, double value, Fault *fault)
+{
+    if (value == floor(value)) return 0;
+    return fault_set(fault, FAULT_USAGE, "--set %s: got '%g', takes a whole number", name, value);
+}
+
+/* Reads the settings that belong to `params` into value[], defaults for the others. */
+static int read_params(const RunSpec *spec, const Param *params, double value[], Fault *fault)
+{
+    char takes[128];
+    for (int k = 0; k < param_count(params); k++) {
+        const char *text = spec_get(spec, params[k].name);
+        value[k] = params[k].value;
+        if (text && param_parse(&params[k], text, &value[k], takes))
+            return fault_set(fault, FAULT_USAGE, "--set %s: got '%s', takes %s", params[k].name,
+                             text, takes);
+    }
+    return 0;
+}
+
+static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
+{
+    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params, common_params};
+    const char *names[3 * MAX_PARAMS];
+    int n = 0;
+    for (int l = 0; l < 3; l++) {
+        if (param_find(lists[l], name)) return 0;
+        for (int k = 0; k < param_count(lists[l]); k++) names[n++] = lists[l][k].name;
+    }
+    return fault_set(
+        fault, FAULT_USAGE,
+        "--set %s: got '%s', takes a parameter of %s, %s or of every run; did you mean "
+        "'%s'?",
+        name, name, plan->scene.problem->info.name, plan->method->name,
+        nearest_name(name, names, n));
+}
+
+static const Problem *find_problem(const char *name)
+{
+    for (const Problem *const *p = problems; *p; p++)
+        if (strcmp((*p)->info.name, name) == 0) return *p;
+    return NULL;
+}
+
+/* A plug-in, or a mesh solver that goes by a method's name. */
+static int choose_method(RunSpec *spec, Plan *plan, Fault *fault)
+{
+    const char *names[64];
+    int n = 0;
+    if (!spec->method[0]) strcpy(spec->method, "gimp");
+    plan->solver = &particle_solver;
+    for (const Method *const *m = methods; *m; m++) {
+        names[n++] = (*m)->info.name;
+        if (strcmp((*m)->info.name, spec->method)) continue;
+        plan->setup.method = *m;
+        plan->method = &(*m)->info;
+    }
+    for (const Solver *const *s = solvers; *s; s++) {
+        names[n++] = (*s)->info.name;
+        if (strcmp((*s)->info.name, spec->method)) continue;
+        plan->solver = *s;
+        plan->method = &(*s)->info;
+    }
+    if (plan->method) return 0;
+    return fault_set(fault, FAULT_USAGE,
+                     "--method: got '%s', takes a method of %dD; did you mean '%s'?", spec->method,
+                     DIM, nearest_name(spec->method, names, n));
+}
+
+/* 1D: a whole number of particles; 2D lattice: n^2 per cell. */
+static int choose_ppc(RunSpec *spec, Plan *plan, const double run[], Fault *fault)
+{
+    Setup *s = &plan->setup;
+    const double length = plan->scene.body_hi[0] - plan->scene.body_lo[0];
+    const double given = spec_get(spec, "particles") ? run[P_PARTICLES] : 0;
+    if (given > 0 && (DIM > 1 || spec->ppc > 0))
+        return fault_set(fault, FAULT_USAGE,
+                         "--set particles: got '%g', takes 1D scenes without --ppc", given);
+    if (!(spec->ppc > 0)) spec->ppc = plan->scene.problem->ppc;
+    const double n = round(pow(spec->ppc, 1.0 / DIM));
+    if (DIM == 1) {
+        const double count = given > 0 ? given : round(spec->ppc * s->cells * length);
+        if (!(count >= 1 && count <= 1e9 && 2 * count > s->cells * length / 15))
+            return fault_set(fault, FAULT_USAGE,
+                             "--ppc: got '%g', takes 1 to 1e9 particles in all and "
+                             "at least 1/30 per cell",
+                             spec->ppc);
+        s->count = (int)count;
+        spec->ppc = count / (s->cells * length);
+    } else if (!s->fitted && s->method && fabs(pow(n, DIM) - spec->ppc) > 1e-9 * spec->ppc)
+        return fault_set(fault, FAULT_USAGE,
+                         "--ppc: got '%g', takes n^%d (%g, %g, ...) on a lattice", spec->ppc, DIM,
+                         pow(fmax(n, 1), DIM), pow(n + 1, DIM));
+    s->ppc = spec->ppc;
+    return 0;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const Setting *)a)->name, ((const Setting *)b)->name);
+}
+
+/* Every parameter of problem and method spelled out, so that the spec says all that matters. */
+static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
+{
+    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params};
+    const double *values[] = {plan->problem_par, plan->method_par};
+    char text[64], pair[128];
+    for (int l = 0; l < 2; l++)
+        for (int k = 0; k < param_count(lists[l]); k++) {
+            param_print(&lists[l][k], values[l][k], text);
+            snprintf(pair, sizeof pair, "%s=%s", lists[l][k].name, text);
+            if (spec_set(spec, pair, fault)) return FAULT_USAGE;
+        }
+    const double usual = plan->setup.method && plan->setup.method->surface;
+    int n = 0; /* what the defaults would say anyway, or is said elsewhere, is left out; but not
+                * the dimension, without which this were another run */
+    for (int k = 0; k < spec->nset; k++) {
+        const Param *p = param_find(common_params, spec->set[k].name);
+        double value = 0;
+        char takes[128];
+        const bool read = p && !param_parse(p, spec->set[k].value, &value, takes);
+        const double known = p == &common_params[P_LAYOUT] ? usual : p ? p->value : 0;
+        const bool differs = p == &common_params[P_DIM] || fabs(value - known) > 0;
+        const bool keep = !p || (p != &common_params[P_PARTICLES] && read && differs);
+        if (!keep) continue;
+        if (p) { /* as it would be printed: 3, not 03 */
+            param_print(p, value, text);
+            strcpy(spec->set[k].value, text);
+        }
+        spec->set[n++] = spec->set[k];
+    }
+    spec->nset = n;
+    qsort(spec->set, (size_t)n, sizeof *spec->set, by_name);
+    size_t at = 0;
+    for (int k = 0; k < n && at < sizeof plan->params; k++)
+        if (strcmp(spec->set[k].name, "layout"))
+            at += (size_t)snprintf(plan->params + at, sizeof plan->params - at, "%s%s=%s",
+                                   at ? ";" : "", spec->set[k].name, spec->set[k].value);
+    return 0;
+}
+
+static int make_scene(const RunSpec *spec, Plan *plan, Fault *fault)
+{
+    Scene *scene = &plan->scene;
+    char why[128] = "";
+    scene->par = plan->problem_par;
+    scene->cell = 1.0 / spec->cells;
+    if (read_params(spec, scene->problem->info.params, plan->problem_par, fault))
+        return FAULT_USAGE;
+    if (scene->problem->init(scene, why))
+        return fault_set(fault, FAULT_USAGE, "--set: %s: %s", spec->problem, why);
+    return 0;
+}
+
+static int choose_times(RunSpec *spec, Plan *plan, Fault *fault)
+{
+    const Problem *problem = plan->scene.problem;
+    if (problem->projection) {
+        plan->cfl = plan->t_end = 0;
+        spec->cfl = spec->t_end = 0;
+        return 0;
+    }
+    if (!(spec->cfl > 0)) spec->cfl = problem->cfl;
+    const double counted = problem->steps ? fmax(problem->steps, (double)plan->steps) : 0;
+    if (!(spec->t_end > 0) && counted > 0) /* more steps than the scene's own move its end */
+        spec->t_end = counted * spec->cfl * plan->scene.cell / plan->scene.c;
+    if (!(spec->t_end > 0)) spec->t_end = plan->scene.t_end;
+    plan->cfl = spec->cfl;
+    plan->t_end = spec->t_end;
+    const double steps = spec->t_end * plan->scene.c * spec->cells / spec->cfl;
+    if (steps < 2e9) return 0;
+    return fault_set(fault, FAULT_USAGE, "--cfl: %g to t = %g takes %.3g steps, more than 2e9",
+                     spec->cfl, spec->t_end, steps);
+}
+
+int no_exact_motion(const RunSpec *spec, Fault *fault)
+{
+    return fault_set(fault, FAULT_USAGE,
+                     "--errors: got '%s', takes a scene in motion with an exact solution",
+                     spec->errors);
+}
+
+/* Outputs that this run cannot have are refused before it begins. */
+static int check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
+{
+    const Solver *solver = plan->solver;
+    const bool polygons = solver->elements || (plan->setup.method && plan->setup.method->patches);
+    const char *name = plan->method->name;
+    if (plan->scene.problem->projection && !solver->project)
+        return fault_set(fault, FAULT_USAGE,
+                         "--method: got '%s', which projects nothing onto a grid", name);
+    if (spec->errors && (!plan->scene.problem->exact || plan->scene.problem->projection))
+        return no_exact_motion(spec, fault);
+    if (spec->nodes && !solver->nodes)
+        return fault_set(fault, FAULT_USAGE,
+                         "--nodes: got '%s', takes a method with a grid, not %s", spec->nodes,
+                         name);
+    if (spec->patches && !(DIM == 2 && solver->patches && polygons))
+        return fault_set(fault, FAULT_USAGE,
+                         "--patches: got '%s', takes two dimensions and a method with polygons, "
+                         "not %s in %dD",
+                         spec->patches, name, DIM);
+    return 0;
+}
+
+int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
+{
+    double run[RUN_PARAMS];
+    Setup *s = &plan->setup;
+    *plan = (Plan){0};
+    plan->scene.problem = find_problem(spec->problem);
+    if (!plan->scene.problem)
+        return fault_set(fault, FAULT_USAGE, "problem: got '%s', not one of %dD", spec->problem,
+                         DIM);
+    if (choose_method(spec, plan, fault)) return FAULT_USAGE;
+    for (int k = 0; k < spec->nset; k++)
+        if (unknown_setting(plan, spec->set[k].name, fault)) return FAULT_USAGE;
+    if (!(spec->cells > 0)) spec->cells = plan->scene.problem->cells;
+    if (read_params(spec, common_params, run, fault) || whole("steps", run[P_STEPS], fault) ||
+        whole("particles", run[P_PARTICLES], fault) || whole("repeat", run[P_REPEAT], fault) ||
+        whole("subcycles", run[P_SUBCYCLES], fault) ||
+        read_params(spec, plan->method->params, plan->method_par, fault) ||
+        make_scene(spec, plan, fault) || settle_integrator(spec, plan, run, fault) ||
+        settle_strain(spec, plan, run, fault) || check_outputs(spec, plan, fault))
+        return FAULT_USAGE;
+    s->scene = &plan->scene;
+    s->method_par = plan->method_par;
+    s->cells = (int)spec->cells;
+    s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : s->method && s->method->surface;
+    s->threads = spec->threads > 0 ? spec->threads : 1;
+    s->snapshot_nodes = plan->scene.problem->projection || spec->nodes || spec->vtk;
+    plan->steps = (long)run[P_STEPS];
+    plan->stop_growth = run[P_STOP] > 0;
+    if (choose_ppc(spec, plan, run, fault) || choose_times(spec, plan, fault) ||
+        spell_out(spec, plan, fault))
+        return FAULT_USAGE;
+    return 0;
+}

@@ -1,0 +1,39 @@
+/* plan.h: from what was typed to what a run is built from. */
+#ifndef MPMLAB_PLAN_H
+#define MPMLAB_PLAN_H
+
+#include "common/contract/solver.h"
+
+enum { MAX_PARAMS = 32 };
+
+/* A resolved run: everything filled and checked. The scene's parameters live in here. */
+typedef struct Plan {
+    Scene scene;
+    Setup setup;
+    const Solver *solver;
+    const Info *method; /* info of the method or solver */
+    double problem_par[MAX_PARAMS], method_par[MAX_PARAMS];
+    double cfl, t_end;
+    long steps;       /* stop after so many; 0: no limit */
+    bool stop_growth; /* energy growth ends the run */
+    char params[512]; /* "name=value;..." sorted */
+} Plan;
+
+/* Fills *plan, and every default in *spec. 0 or a fault. */
+int plan_make(RunSpec *spec, Plan *plan, Fault *fault);
+
+/* The refusal of --errors where no exact motion is known. */
+int no_exact_motion(const RunSpec *spec, Fault *fault);
+
+/* Runs a spec to one row (run.c); the engine's run. */
+int run_spec(const RunSpec *spec, Row *row, Fault *fault);
+
+/* The parameters that every run takes, ended by a NULL name. */
+extern const Param *const common_params;
+
+/* The registries of this dimension, NULL-terminated; registry.c. Solvers that are chosen by name
+ * like a method (FEM) stand with the methods in method_infos. */
+extern const Solver *const solvers[];
+extern const Info *const problem_infos[], *const method_infos[];
+
+#endif

@@ -1,0 +1,211 @@
+/* run.c: see solver.h. The time loop around a solver, with norms and ledger outside the clock.
+ *
+ * Velocities live half a step after positions, so the kinetic energy at t_n is the mean of those
+ * before and after step n; the last instant takes one step more for that, whose result is thrown
+ * away. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include "loop.h"
+#include "common/base/table.h"
+
+static double seconds(clockid_t clock)
+{
+    struct timespec t;
+    clock_gettime(clock, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static Errors errors_now(Loop *l, double t)
+{
+    Points p;
+    Samples q;
+    if (!l->plan->scene.problem->exact) return (Errors){NAN, NAN, NAN};
+    l->plan->solver->view(l->self, &p, &q);
+    return displacement_errors(&l->plan->scene, &p, t, &l->scratch);
+}
+
+static void take_step(Loop *l, double t)
+{
+    const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+    l->status = l->plan->solver->step(l->self, t, l->dt, l->done == 0);
+    l->cpu += seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+    l->wall += seconds(CLOCK_MONOTONIC) - wall;
+}
+
+static void shoot(Loop *l, long step, bool last)
+{
+    if (l->shots.dir && !l->code)
+        l->code = snapshot_take(&l->shots, &l->plan->scene, l->plan->solver, l->self, step,
+                                (double)step * l->dt, last, l->fault);
+}
+
+static bool grown(const Loop *l)
+{
+    return l->plan->stop_growth && l->growth_step >= 0;
+}
+
+/* Instants 0 .. n; instant k needs step k to know its kinetic energy. */
+static void run_steps(Loop *l)
+{
+    Side before = measure_side(l);
+    memcpy(l->p0, before.p, sizeof l->p0);
+    l->momentum = before.mv;
+    Moment m = {.dt = l->dt, .error_linf = errors_now(l, 0).linf};
+    measure_state(l, &m);
+    shoot(l, 0, false);
+    for (; l->done < l->n && !grown(l) && !l->code; l->done++) {
+        const double t = (double)l->done * l->dt;
+        take_step(l, t);
+        if (l->status.code != OK) {
+            l->failed_at = t + l->dt;
+            return;
+        }
+        const Side after = measure_side(l);
+        const double w = l->done > 0 ? 0.5 : 0; /* the first instant is not between two halves */
+        if (l->done == 0) record_start(l, &before, &after, m.strain);
+        m.t = t;
+        m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
+        for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
+        record_energy(l, &m, &before, &after);
+        record_momentum(l, &after);
+        record_work(l, t);
+        const Errors e = errors_now(l, t + l->dt);
+        record_errors(l, e);
+        m.error_linf = e.linf;
+        measure_state(l, &m);
+        before = after;
+        shoot(l, l->done + 1, false);
+    }
+    m.t = (double)l->done * l->dt; /* the last instant waits for last_instant */
+    l->last = m;
+}
+
+/* The instant after the last step, by a step beyond it. */
+static void last_instant(Loop *l)
+{
+    Moment m = l->last;
+    const Side before = measure_side(l);
+    const Status status =
+        l->done > 0 ? l->plan->solver->step(l->self, m.t, l->dt, false) : (Status){EMPTY, -1, 0};
+    const double w = status.code == OK ? 0.5 : 0;
+    const Side after = status.code == OK ? measure_side(l) : before;
+    m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
+    for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
+    record_energy(l, &m, &before, &after);
+}
+
+static void choose_dt(Loop *l)
+{
+    const Plan *plan = l->plan;
+    const double unit =
+        plan->solver->unit_dt ? plan->solver->unit_dt(l->self) : plan->scene.cell / plan->scene.c;
+    const double n = fmax(ceil(plan->t_end / (plan->cfl * unit) - 1e-9), 1);
+    l->dt = plan->t_end / n;
+    l->n = plan->steps > 0 && (double)plan->steps < n ? plan->steps : (long)n;
+}
+
+static int project(Loop *l, Fault *fault)
+{
+    Nodes nodes;
+    const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+    l->status = l->plan->solver->project(l->self);
+    l->cpu = seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+    l->wall = seconds(CLOCK_MONOTONIC) - wall;
+    if (l->status.code != OK) return 0;
+    l->plan->solver->nodes(l->self, &nodes);
+    if (!scratch_fit(&l->scratch, nodes.n)) return fault_set(fault, FAULT_MACHINE, "out of memory");
+    l->worst = projection_errors(&l->plan->scene, &nodes, &l->scratch);
+    if (isnan(l->worst.linf)) l->status = (Status){EMPTY, 0, 0}; /* no node was measured */
+    return 0;
+}
+
+/* Steps that the positions have made: a failed one counts if it moved them. */
+static long steps_moved(const Loop *l)
+{
+    return l->done + (l->status.code != OK && has_moved(l));
+}
+
+static int write_errors_now(const char *path, Loop *l, Fault *fault)
+{
+    Points p;
+    Samples q;
+    const double t = (double)steps_moved(l) * l->dt;
+    l->plan->solver->view(l->self, &p, &q);
+    return write_errors(path, &l->plan->scene, &p, t, &l->scratch, fault);
+}
+
+/* The files of the run's end; nodes hold the velocities of the last projection. */
+static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
+{
+    const Solver *solver = l->plan->solver;
+    int code = 0;
+    if (spec->particles)
+        code = write_particles(spec->particles, &l->plan->scene, solver, l->self, fault);
+    if (!code && spec->samples)
+        code = write_samples(spec->samples, &l->plan->scene, solver, l->self, fault);
+    if (!code && spec->errors) code = write_errors_now(spec->errors, l, fault);
+    if (!code && spec->nodes) code = write_nodes(spec->nodes, solver, l->self, fault);
+    if (!code && spec->patches) code = write_patches(spec->patches, solver, l->self, fault);
+    return code;
+}
+
+/* Room for every slot that particles may come to need. */
+static bool fit_scratch(Loop *l)
+{
+    Points p;
+    Samples q;
+    l->plan->solver->view(l->self, &p, &q);
+    const int n = p.n > q.n ? p.n : q.n;
+    return scratch_fit(&l->scratch, n + CHUNK + n / 2 + 64 * CHUNK);
+}
+
+static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
+{
+    int code = 0;
+    if (l->plan->scene.problem->projection) {
+        code = project(l, fault);
+        if (!code) shoot(l, 0, true);
+    } else {
+        choose_dt(l);
+        if (!fit_scratch(l) || !ledger_open(l))
+            return fault_set(fault, FAULT_MACHINE, "out of memory");
+        if (spec->errors && isnan(errors_now(l, 0).linf)) return no_exact_motion(spec, fault);
+        run_steps(l);
+        shoot(l, steps_moved(l), true);
+    }
+    if (!code) code = l->code;
+    if (!code) code = write_files(spec, l, fault);
+    if (code) return code;
+    report_counts(l, row);
+    if (!l->plan->scene.problem->projection && l->status.code == OK) last_instant(l);
+    report_results(l, row);
+    return 0;
+}
+
+int run_spec(const RunSpec *spec, Row *row, Fault *fault)
+{
+    RunSpec own = *spec;
+    Plan plan;
+    Loop l = {.plan = &plan, .growth_step = -1, .worst = no_errors, .drift = NAN};
+    int code = plan_make(&own, &plan, fault);
+    if (code) return code;
+    *row = row_empty();
+    l.shots = (Snapshots){.dir = own.vtk, .every = own.every};
+    l.fault = fault;
+    report_inputs(&own, &plan, row);
+    if (spec_files_check(spec, fault) || (spec->vtk && snapshot_check(spec->vtk, fault)))
+        return FAULT_MACHINE;
+    if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
+    if (l.history) history_header(l.history);
+    l.self = plan.solver->make(&plan.setup, fault);
+    code = l.self ? run_plan(&own, &l, row, fault) : fault->code;
+    if (l.self) plan.solver->free(l.self);
+    scratch_free(&l.scratch);
+    ledger_close(&l);
+    snapshot_free(&l.shots);
+    if (l.history && code) file_abandon(l.history, spec->history);
+    if (l.history && !code) code = file_commit(l.history, spec->history, fault);
+    return code;
+}

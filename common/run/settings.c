@@ -1,0 +1,92 @@
+/* settings.c: see settings.h. */
+#include "settings.h"
+#include <math.h>
+#include <string.h>
+#include "common/core/step.h"
+
+static const Param run_params[] = {
+    [P_STEPS] = {"steps", 0, 0, 1e9, "", "stop after so many steps; 0: at t_end", "", NULL},
+    [P_ALLOW] = {"allow_unstable", 0, 0, 1, "", "1: run a refused method x integrator pair", "",
+                 "0|1"},
+    [P_REFRESH] = {"refresh", 0, 0, 1, "",
+                   "1: L from the accelerated grid velocity before a "
+                   "re-projection",
+                   "", "0|1"},
+    [P_LAYOUT] = {"layout", 0, 0, 1, "", "particles on a lattice or fitted to the body", "",
+                  "cartesian|radial"},
+    [P_PARTICLES] = {"particles", 0, 1, 1e8, "", "number of particles (1D), instead of ppc", "",
+                     NULL},
+    [P_DIM] = {"dim", DIM, 1, 3, "", "dimension of a scene that has several", "", NULL},
+    [P_STOP] = {"stop_growth", 0, 0, 1, "", "1: energy growth ends the run", "", "0|1"},
+    [P_REPEAT] = {"repeat", 1, 1, 1e6, "",
+                  "number of a repetition: changes nothing but the row's key, so that a run can be "
+                  "timed again",
+                  "", NULL},
+    [P_DOMAIN] =
+        {"domain", DOMAIN_FXX, 0, 2, "",
+         "half widths of particle boxes: l0 |F_dd|, l0 U_dd with U = sqrt(F^T F), which no "
+         "rotation changes, or l0",
+         "Wallstedt & Guilkey 2008", "fxx|stretch|undeformed"},
+    [P_STRAIN] = {"strain_update", STRAIN_LINEAR, 0, 2, "",
+                  "F += dt L F, which fits x += dt v; exp(dt L) F, exact for an imposed L; or (I + "
+                  "dt L/k)^k F",
+                  "W11 eq 30", "linear|exponential|subcycled"},
+    [P_SUBCYCLES] = {"subcycles", 4, 1, 1000, "", "k of strain_update=subcycled", "", NULL},
+    [RUN_PARAMS] = {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+
+const Param *const common_params = run_params;
+
+int settle_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault)
+{
+    Setup *s = &plan->setup;
+    const Method *m = s->method;
+    if (!spec->integrator[0])
+        strcpy(spec->integrator, integrator_names[m ? m->integrator[DIM] : CD]);
+    while (s->integrator < INTEGRATORS && strcmp(spec->integrator, integrator_names[s->integrator]))
+        s->integrator++;
+    if (s->integrator == INTEGRATORS)
+        return fault_set(
+            fault, FAULT_USAGE,
+            "--integrator: got '%s', takes cd, uvf, musl, usl or usf; did you mean '%s'?",
+            spec->integrator, nearest_name(spec->integrator, integrator_names, INTEGRATORS));
+    s->refresh = run[P_REFRESH] > 0;
+    if (!m) {
+        if (s->integrator == CD) return 0;
+        return fault_set(fault, FAULT_USAGE, "--integrator: got '%s', %s takes cd only",
+                         spec->integrator, spec->method);
+    }
+    const unsigned valid = m->valid | (s->refresh ? m->valid_fresh : 0);
+    if (valid >> s->integrator & 1 || run[P_ALLOW] > 0) return 0;
+    return fault_set(
+        fault, FAULT_USAGE,
+        "--integrator: got '%s', which is unstable with %s%s; allow_unstable=1 runs it",
+        spec->integrator, spec->method,
+        m->valid_fresh >> s->integrator & 1 ? " (stable with --set refresh=1)" : "");
+}
+
+/* Do the method's stencils widen with the particles, with these parameters? */
+static bool has_boxes(const Plan *plan)
+{
+    Method own = *plan->setup.method;
+    if (own.adapt) own.adapt(plan->method_par, &own);
+    return own.width(1) > own.width(0.5);
+}
+
+/* Particle boxes and the update of F, which are the run's choice like the integrator. */
+int settle_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *fault)
+{
+    Setup *s = &plan->setup;
+    s->domain = (Domain)run[P_DOMAIN];
+    s->strain = (StrainUpdate)run[P_STRAIN];
+    s->subcycles = (int)run[P_SUBCYCLES];
+    if (s->domain != DOMAIN_FXX && !(s->method && has_boxes(plan)))
+        return fault_set(fault, FAULT_USAGE,
+                         "--set domain: got '%s', takes fxx with %s, which sees no particle's size",
+                         spec_get(spec, "domain"), spec->method);
+    if (s->strain != STRAIN_LINEAR && !s->method)
+        return fault_set(fault, FAULT_USAGE,
+                         "--set strain_update: got '%s', takes linear with %s, whose strain comes "
+                         "from positions",
+                         spec_get(spec, "strain_update"), spec->method);
+    return 0;
+}

@@ -1,0 +1,29 @@
+/* settings.h: what every run takes besides the parameters of its problem and method, and how these
+ * settings become a Setup. Part of plan.c. */
+#ifndef MPMLAB_SETTINGS_H
+#define MPMLAB_SETTINGS_H
+
+#include "plan.h"
+
+/* Numbers in common_params. */
+enum {
+    P_STEPS,
+    P_ALLOW,
+    P_REFRESH,
+    P_LAYOUT,
+    P_PARTICLES,
+    P_DIM,
+    P_STOP,
+    P_REPEAT,
+    P_DOMAIN,
+    P_STRAIN,
+    P_SUBCYCLES,
+    RUN_PARAMS
+};
+
+/* Time integrator; particle boxes and the update of F: into plan->setup, from the run's settings
+ * run[RUN_PARAMS]. 0, or a fault: a pair that is refused. */
+int settle_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault);
+int settle_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *fault);
+
+#endif

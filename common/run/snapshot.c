@@ -1,0 +1,196 @@
+/* snapshot.c: see snapshot.h. */
+#include "snapshot.h"
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "state.h"
+#include "common/base/table.h"
+#include "common/base/vtk_file.h"
+
+static const char *const stems[SHOT_KINDS] = {"particles", "nodes", "cells"};
+
+void snapshot_free(Snapshots *s)
+{
+    for (int k = 0; k < SHOT_KINDS; k++) free(s->step[k]), free(s->t[k]);
+    *s = (Snapshots){0};
+}
+
+static void list_path(const char *dir, int kind, char path[PATH_MAX])
+{
+    snprintf(path, PATH_MAX, "%.4000s/%s.pvd", dir, stems[kind]);
+}
+
+int snapshot_check(const char *dir, Fault *fault)
+{
+    char path[PATH_MAX];
+    list_path(dir, SHOT_PARTICLES, path);
+    return file_check(path, fault);
+}
+
+static int no_memory(Fault *fault)
+{
+    return fault_set(fault, FAULT_MACHINE, "out of memory for a snapshot");
+}
+
+static bool make_room(Snapshots *s, int kind)
+{
+    if (s->n[kind] < s->room[kind]) return true;
+    const size_t room = s->room[kind] ? 2 * (size_t)s->room[kind] : 64;
+    long *step = realloc(s->step[kind], room * sizeof *step);
+    if (step) s->step[kind] = step;
+    double *t = realloc(s->t[kind], room * sizeof *t);
+    if (t) s->t[kind] = t;
+    if (step && t) s->room[kind] = (int)room;
+    return step && t;
+}
+
+/* The collection is written again when it has grown by a tenth, so that a run that is stopped
+ * leaves a good one and a long run does not spend its time on lists. */
+static int list_it(Snapshots *s, int kind, bool last, Fault *fault)
+{
+    char path[PATH_MAX];
+    if (!s->n[kind] || s->listed[kind] == s->n[kind]) return 0;
+    if (!last && s->n[kind] < s->listed[kind] + s->listed[kind] / 10 + 1) return 0;
+    list_path(s->dir, kind, path);
+    s->listed[kind] = s->n[kind];
+    return vtk_collect(path, stems[kind], s->n[kind], s->step[kind], s->t[kind], fault);
+}
+
+static int write_kind(Snapshots *s, int kind, long step, const VtkData *data, Fault *fault)
+{
+    char path[PATH_MAX];
+    if (!make_room(s, kind)) return no_memory(fault);
+    snprintf(path, sizeof path, "%.4000s/%s_%06ld.vtp", s->dir, stems[kind], step);
+    s->step[kind][s->n[kind]] = step;
+    s->t[kind][s->n[kind]++] = data->t;
+    return vtk_write(path, data, fault);
+}
+
+static int write_points(Snapshots *s, const State *state, long step, double t, Fault *fault)
+{
+    const VtkArray arrays[] = {
+        {"id", VTK_I64, 1, state->id},
+        {"X", VTK_F64, 3, state->X},
+        {"v", VTK_F64, 3, state->v},
+        {"F", VTK_F64, 9, state->F},
+        {"stress", VTK_F64, 9, state->sigma},
+        {"von_mises", VTK_F64, 1, state->von_mises},
+        {"energy", VTK_F64, 1, state->energy},
+        {"mass", VTK_F64, 1, state->m},
+        {"surface", VTK_U8, 1, state->surface},
+        {0},
+    };
+    return write_kind(
+        s, SHOT_PARTICLES, step,
+        &(VtkData){
+            .t = t, .points = state->n, .x = &state->x[0][0], .cells = -1, .on_point = arrays},
+        fault);
+}
+
+static int shoot_points(Snapshots *s, const Scene *scene, const Solver *solver, const void *self,
+                        long step, double t, Fault *fault)
+{
+    State state;
+    if (state_of_points(&state, scene, solver, self, fault)) return FAULT_MACHINE;
+    const int code = write_points(s, &state, step, t, fault);
+    state_free(&state);
+    return code;
+}
+
+static int shoot_nodes(Snapshots *s, const Solver *solver, const void *self, long step, double t,
+                       Fault *fault)
+{
+    Nodes n;
+    solver->nodes(self, &n);
+    double(*x)[3] = calloc((size_t)n.n + 1, 2 * sizeof *x);
+    if (!x) return no_memory(fault);
+    double(*v)[3] = x + n.n;
+    for (int k = 0; k < n.n; k++)
+        for (int d = 0; d < DIM; d++) x[k][d] = n.x[d][k], v[k][d] = n.v[d][k];
+    const VtkArray arrays[] = {{"v", VTK_F64, 3, v}, {"mass", VTK_F64, 1, n.m}, {0}};
+    const int code = write_kind(
+        s, SHOT_NODES, step,
+        &(VtkData){.t = t, .points = n.n, .x = &x[0][0], .cells = -1, .on_point = arrays}, fault);
+    free(x);
+    return code;
+}
+
+/* Polygons as they come by; first counted, then filled in. */
+typedef struct Patches {
+    int64_t cells, corners;
+    double (*x)[3];
+    int64_t *corner, *end;
+    uint8_t *cut;
+} Patches;
+
+static void see_patch(void *own, const Patch *patch)
+{
+    Patches *p = own;
+    for (int k = 0; k < patch->sides; k++, p->corners++) {
+        if (!p->x) continue;
+        for (int d = 0; d < DIM; d++) p->x[p->corners][d] = patch->corner[k][d];
+        p->corner[p->corners] = p->corners;
+    }
+    if (p->x) p->cut[p->cells] = patch->cut, p->end[p->cells] = p->corners;
+    p->cells++;
+}
+
+static int write_patches(Snapshots *s, const Scene *scene, const Solver *solver, const void *self,
+                         const Patches *p, long step, double t, Fault *fault)
+{
+    State e = {0};
+    if (solver->elements && state_of_elements(&e, scene, solver, self, fault)) return FAULT_MACHINE;
+    const VtkArray arrays[] = {
+        {"cut", VTK_U8, 1, p->cut},       {"F", VTK_F64, 9, e.F},
+        {"stress", VTK_F64, 9, e.sigma},  {"von_mises", VTK_F64, 1, e.von_mises},
+        {"energy", VTK_F64, 1, e.energy}, {0}};
+    const VtkData data = {.t = t,
+                          .points = p->corners,
+                          .x = &p->x[0][0],
+                          .cells = p->cells,
+                          .corner = p->corner,
+                          .end = p->end,
+                          .on_cell = arrays};
+    const int code = write_kind(s, SHOT_CELLS, step, &data, fault);
+    state_free(&e);
+    return code;
+}
+
+static int shoot_patches(Snapshots *s, const Scene *scene, const Solver *solver, const void *self,
+                         long step, double t, Fault *fault)
+{
+    Patches count = {0}, p = {0};
+    solver->patches(self, see_patch, &count);
+    p.x = calloc((size_t)count.corners + 1, sizeof *p.x);
+    p.corner = calloc((size_t)count.corners + 1, sizeof *p.corner);
+    p.end = calloc((size_t)count.cells + 1, sizeof *p.end);
+    p.cut = calloc((size_t)count.cells + 1, 1);
+    int code = FAULT_MACHINE;
+    if (!count.cells)
+        code = 0;
+    else if (p.x && p.corner && p.end && p.cut) {
+        solver->patches(self, see_patch, &p);
+        code = write_patches(s, scene, solver, self, &p, step, t, fault);
+    } else
+        no_memory(fault);
+    free(p.x), free(p.corner), free(p.end), free(p.cut);
+    return code;
+}
+
+int snapshot_take(Snapshots *s, const Scene *scene, const Solver *solver, const void *self,
+                  long step, double t, bool last, Fault *fault)
+{
+    const int n = s->n[SHOT_PARTICLES];
+    const bool due = last || step == 0 || (s->every > 0 && step % s->every == 0);
+    const bool taken = n > 0 && s->step[SHOT_PARTICLES][n - 1] == step;
+    const bool grid = step > 0 || scene->problem->projection;
+    int code = 0;
+    if (due && !taken) {
+        code = shoot_points(s, scene, solver, self, step, t, fault);
+        if (!code && solver->nodes && grid) code = shoot_nodes(s, solver, self, step, t, fault);
+        if (!code && solver->patches && DIM == 2 && (solver->elements || grid))
+            code = shoot_patches(s, scene, solver, self, step, t, fault);
+    }
+    for (int kind = 0; kind < SHOT_KINDS && !code; kind++) code = list_it(s, kind, last, fault);
+    return code;
+}

@@ -1,0 +1,252 @@
+/* cells.c: integrals over cells, full and cut (W11 3.4, 4.4, eqs 19-24), written as
+ *   m_i = sum_q S_iq rho_q V_q,  f_ext,i = sum_q S_iq f_q V_q,  f_int,i = -sum_q sigma_q G_iq V_q
+ * (eq 24 lacks the sign and has sigma_i). The value at a point is the mean of the good nodes'
+ * linear functions there, weights S. Full cells have one point. */
+#include <math.h>
+#include "wls.h"
+#include "common/base/polygon.h"
+
+/* The part of a line where the distance is positive: one point, or two of Gauss. */
+static int line_points(const double d[2], bool exact, double x[][2], double weight[])
+{
+    if (!(d[0] > 0) && !(d[1] > 0)) return 0;
+    const double cut = d[0] / (d[0] - d[1]);
+    const double from = d[0] > 0 ? 0 : cut, to = d[1] > 0 ? 1 : cut;
+    const double middle = 0.5 * (from + to), half = 0.5 * (to - from) / sqrt(3);
+    const int n = exact ? 2 : 1;
+    for (int q = 0; q < n; q++) {
+        x[q][0] = middle + (exact ? (2 * q - 1) * half : 0);
+        weight[q] = (to - from) / n;
+    }
+    return n;
+}
+
+static int square_points(const double d[4], const Curved *curved, bool exact, double x[][2],
+                         double weight[])
+{
+    Polygon piece[MAX_PIECES];
+    int n = 0;
+    const int pieces = square_pieces(d, curved, piece);
+    for (int k = 0; k < pieces; k++) {
+        const double area = polygon_area(&piece[k], x[n]);
+        if (!(area > 0)) continue;
+        weight[n] = area;
+        n += exact ? polygon_points(&piece[k], x + n, weight + n) : 1;
+    }
+    return n;
+}
+
+int wls_cell_points(const double distance[CORNERS], const Bend *bend, bool exact,
+                    double xi[MAX_POINTS][DIM], double weight[MAX_POINTS])
+{
+    double x[MAX_POINTS][2] = {{0}}, d[4] = {-1, -1, -1, -1};
+    Curved curved = {{0}, {{0}}};
+    for (int k = 0; k < 4 && k < CORNERS; k++) {
+        d[k] = distance[k];
+        if (bend) curved.kappa[k] = bend[k].kappa;
+        for (int a = 0; a < 2 && bend; a++) curved.normal[k][a] = bend[k].normal[a % DIM];
+    }
+    const int n = DIM == 1 ? line_points(d, exact, x, weight)
+                           : square_points(d, bend ? &curved : NULL, exact, x, weight);
+    for (int q = 0; q < n; q++)
+        for (int a = 0; a < DIM; a++) xi[q][a] = x[q][a % 2];
+    return n;
+}
+
+static const double centre[3] = {0.5, 0.5, 0.5};
+
+/* What is summed over the points of all cells. */
+typedef enum { INTEGRATE, MULTIPLY } Task;
+
+/* A point of a cell: weights of its corners there. */
+typedef struct Shape {
+    double S[CORNERS], G[CORNERS][DIM];
+} Shape;
+
+static inline void shape_at(const double xi[DIM], Shape *out)
+{
+    for (int k = 0; k < CORNERS; k++) {
+        out->S[k] = 1;
+        for (int d = 0; d < DIM; d++) out->G[k][d] = 1;
+        for (int d = 0; d < DIM; d++) {
+            const double s = k >> d & 1 ? xi[d] : 1 - xi[d];
+            out->S[k] *= s;
+            for (int b = 0; b < DIM; b++) out->G[k][b] *= b == d ? (k >> d & 1 ? 1 : -1) : s;
+        }
+    }
+}
+
+/* Eqs 19-21 at xi; false if no good node sees the point. */
+static inline bool value_at(const Wls *w, const size_t corner[CORNERS], const double xi[DIM],
+                            const Shape *shape, Line *out)
+{
+    Line sum = {0};
+    double total = 0;
+    for (int k = 0; k < CORNERS; k++) {
+        const size_t at = corner[k];
+        const double S = w->good[at] ? shape->S[k] : 0;
+        if (!(S > 0)) continue;
+        Line f = w->fit[at][FIT_VALUE];
+        for (int d = 0; d < DIM && w->linear; d++)
+            f += (xi[d] - (k >> d & 1)) * w->fit[at][FIT_SLOPE + d];
+        sum += S * f;
+        total += S;
+    }
+    if (total > 0) *out = total < 1 || total > 1 ? sum / total : sum;
+    return total > 0;
+}
+
+/* Eqs 22-24 of one point of `volume` [cells]: every corner gets S m - sum_b G_b flux_b. */
+static inline void add_point(Sim *sim, const size_t corner[CORNERS], const Shape *shape,
+                             const Line value, double volume)
+{
+    Grid *g = &sim->g;
+    double V = volume;
+    Line mass = {0}, flux[DIM] = {{0}};
+    for (int d = 0; d < DIM; d++) V *= sim->dx;
+    mass[0] = V * value[Q_RHO];
+    for (int s = 1 + DIM; s < FLUX; s++) mass[s] = mass[0];
+    for (int b = 0; b < DIM; b++)
+        for (int a = 0; a < DIM; a++)
+            flux[b][FLUX + a] = -value[Q_SIGMA + pair(a, b)] * V * g->cells;
+    for (int k = 0; k < CORNERS; k++) {
+        Line add = shape->S[k] * mass;
+        for (int b = 0; b < DIM; b++) add += shape->G[k][b] * flux[b];
+        g->node[corner[k]] += add;
+        for (int a = 0; g->force && a < DIM; a++)
+            g->force[corner[k] * DIM + (size_t)a] += shape->S[k] * V * value[Q_FORCE + a];
+    }
+}
+
+/* The same point's share of M a0 and of the row sums. */
+static inline void multiply_point(Wls *w, const size_t corner[CORNERS], const Shape *shape,
+                                  double mass)
+{
+    Line mean = {0}, add = {0};
+    for (int k = 0; k < CORNERS; k++) mean += shape->S[k] * w->inertia[corner[k]];
+    for (int a = 0; a < DIM; a++) add[I_MA + a] = mass * mean[I_A + a];
+    add[I_M] = mass;
+    for (int k = 0; k < CORNERS; k++) w->inertia[corner[k]] += shape->S[k] * add;
+}
+
+static inline void take_point(Sim *sim, const size_t corner[CORNERS], const double xi[DIM],
+                              const Shape *shape, double volume, Task task, long *lost)
+{
+    Line value;
+    if (!value_at(wls_of(sim), corner, xi, shape, &value))
+        *lost += task == INTEGRATE;
+    else if (task == INTEGRATE)
+        add_point(sim, corner, shape, value, volume);
+    else
+        multiply_point(wls_of(sim), corner, shape, value[Q_RHO] * volume * pow(sim->dx, DIM));
+}
+
+/* A full cell has one point, in the middle; its mass is kept for the products. */
+static inline void take_full(Sim *sim, const size_t corner[CORNERS], const Shape *middle, Task task,
+                             long *lost)
+{
+    Wls *w = wls_of(sim);
+    Line value;
+    if (task == MULTIPLY) {
+        multiply_point(w, corner, middle, w->cell_mass[corner[0]]);
+        return;
+    }
+    const bool known = value_at(w, corner, centre, middle, &value);
+    if (known) add_point(sim, corner, middle, value, 1);
+    if (w->corrected) w->cell_mass[corner[0]] = known ? value[Q_RHO] * pow(sim->dx, DIM) : 0;
+    *lost += !known;
+}
+
+static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, const Shape *middle,
+                             Task task, long *lost)
+{
+    Wls *w = wls_of(sim);
+    double xi[MAX_POINTS][DIM], weight[MAX_POINTS], d[CORNERS];
+    Bend bend[CORNERS];
+    Shape shape;
+    if (mask == (1 << CORNERS) - 1) {
+        take_full(sim, corner, middle, task, lost);
+        return;
+    }
+    for (int k = 0; k < CORNERS; k++) {
+        d[k] = w->distance[corner[k]];
+        if (w->bend) bend[k] = w->bend[corner[k]];
+    }
+    const int n = wls_cell_points(d, w->bend ? bend : NULL, w->exact, xi, weight);
+    for (int q = 0; q < n; q++) {
+        shape_at(xi[q], &shape);
+        take_point(sim, corner, xi[q], &shape, weight[q], task, lost);
+    }
+}
+
+bool wls_mirrored_cell(const Grid *g, int axis, int i)
+{
+    for (int k = 0; k < g->nmirror; k++) {
+        const Mirror *m = &g->mirror[k];
+        if (m->axis == axis && (m->side < 0 ? i < m->at : i >= m->at)) return true;
+    }
+    return false;
+}
+
+/* The cells whose first node lies in `row`. */
+static inline void take_row(Sim *sim, int row, Task task)
+{
+    const Grid *g = &sim->g;
+    Wls *w = wls_of(sim);
+    size_t offset[CORNERS];
+    int lo = g->lo[row], hi = g->hi[row], rest = row;
+    Shape middle;
+    for (int d = 1; d < DIM; d++) {
+        if (rest % g->n[d] + 1 >= g->n[d] || wls_mirrored_cell(g, d, rest % g->n[d])) return;
+        rest /= g->n[d];
+    }
+    for (int k = 0; k < CORNERS; k++) {
+        int up = 0, stride = 1;
+        for (int d = 1; d < DIM; d++) {
+            up += (k >> d & 1) * stride;
+            stride *= g->n[d];
+        }
+        offset[k] = (size_t)up * (size_t)g->n[0] + (size_t)(k & 1);
+        lo = g->lo[row + up] > lo ? g->lo[row + up] : lo;
+        hi = g->hi[row + up] < hi ? g->hi[row + up] : hi;
+    }
+    shape_at(centre, &middle);
+    for (int i = lo; lo < hi && i + 1 < hi; i++) {
+        size_t corner[CORNERS];
+        int mask = 0;
+        for (int k = 0; k < CORNERS; k++) {
+            corner[k] = (size_t)row * (size_t)g->n[0] + (size_t)i + offset[k];
+            mask |= (w->distance[corner[k]] > 0) << k;
+        }
+        if (mask && !wls_mirrored_cell(g, 0, i))
+            take_cell(sim, corner, mask, &middle, task, &w->fallbacks[row]);
+    }
+}
+
+/* Even rows of cells, then odd ones: two of one parity share no node. (In 3D planes take turns,
+ * too.) */
+static inline void take_all(Sim *sim, Task task)
+{
+    const Grid *g = &sim->g;
+    for (int turn = 0; turn < CORNERS / 2; turn++) {
+#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
+        for (int row = 0; row < g->rows; row++) {
+            int own = 0, rest = row;
+            for (int d = 1; d < DIM; d++) {
+                own |= (rest % g->n[d] & 1) << (d - 1);
+                rest /= g->n[d];
+            }
+            if (own == turn && g->lo[row] < g->hi[row]) take_row(sim, row, task);
+        }
+    }
+}
+
+void wls_integrate(Sim *sim)
+{
+    take_all(sim, INTEGRATE);
+}
+
+void wls_mass_times(Sim *sim)
+{
+    take_all(sim, MULTIPLY);
+}

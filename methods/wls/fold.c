@@ -1,0 +1,44 @@
+/* fold.c: symmetry lines by parity: what mirrored particles would have deposited. See wls.h. */
+#include "wls.h"
+
+/* Signs of a mirrored particle's moments, quantities and surface sums, for a mirror across `axis`.
+ */
+typedef struct Parity {
+    Line moments, value, skin[2];
+} Parity;
+
+static Parity parity_of(int axis)
+{
+    Parity q;
+    for (int l = 0; l < LANES; l++) q.moments[l] = q.value[l] = q.skin[0][l] = q.skin[1][l] = 1;
+    q.moments[M_FIRST + axis] = q.value[Q_V + axis] = q.value[Q_FORCE + axis] = -1;
+    q.skin[0][K_FIRST + axis] = q.skin[0][K_NORMAL + axis] = -1;
+    for (int d = 0; d < DIM; d++) {
+        if (d == axis) continue;
+        q.moments[M_SECOND + pair(d, axis)] = q.value[Q_SIGMA + pair(d, axis)] = -1;
+        q.skin[1][K_RR + pair(d, axis)] = -1;
+        q.skin[1][K_RN + d * DIM + axis] = q.skin[1][K_RN + axis * DIM + d] = -1;
+    }
+    return q;
+}
+
+static void fold_pair(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
+                      void *own)
+{
+    Wls *w = wls_of(sim);
+    const Parity q = parity_of(m->axis);
+    (void)image_row, (void)own;
+    w->fit[image][FIT_MOMENTS] += q.moments * w->fit[ghost][FIT_MOMENTS];
+    w->fit[image][FIT_VALUE] += q.value * w->fit[ghost][FIT_VALUE];
+    for (int d = 0; d < DIM; d++)
+        w->fit[image][FIT_SLOPE + d] +=
+            (d == m->axis ? -1.0 : 1.0) * q.value * w->fit[ghost][FIT_SLOPE + d];
+    for (int k = 0; k < 2; k++) w->skin[image][k] += q.skin[k] * w->skin[ghost][k];
+    w->skinned[image] |= w->skinned[ghost];
+    w->most[image] = w->most[ghost] > w->most[image] ? w->most[ghost] : w->most[image];
+}
+
+void wls_fold(Sim *sim)
+{
+    grid_visit_pairs(sim, false, fold_pair, NULL);
+}

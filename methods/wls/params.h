@@ -1,0 +1,61 @@
+/* params.h: wls, wls2 and ge_wls: one list of parameters and one set of stages; the methods
+ * differ by their defaults alone. */
+#ifndef MPMLAB_WLS_PARAMS_H
+#define MPMLAB_WLS_PARAMS_H
+
+#include "methods/parts/shapes.h"
+#include "methods/parts/transfers.h"
+#include "wls.h"
+
+#define WLS_CHOICE(at, name, value, last, about, source, values)                                   \
+    [at] = {name, value, 0, last, "", about, source, values}
+#define WLS_NUMBER(at, name, value, most, about, source)                                           \
+    [at] = {name, value, 0, most, "", about, source, NULL}
+
+#define WLS_PARAMS(quadrature, distance, spurious, back, mass, hermite, trigger)                   \
+    {                                                                                              \
+        WLS_CHOICE(P_STRESS, "stress", STRESS_LINEAR, 1,                                           \
+                   "values at a point from the nodes' linear functions, or their values only",     \
+                   "W11 eqs 19-21", "linear|c0"),                                                  \
+            WLS_CHOICE(P_QUADRATURE, "quadrature", quadrature, 1,                                  \
+                       "cut cells: one point at the centroid, or exact for bilinear functions",    \
+                       "W11 3.4.2", "centroid|exact"),                                             \
+            WLS_CHOICE(                                                                            \
+                P_DISTANCE, "distance", distance, 3,                                               \
+                "of nodes: to the mean of surface points, along their normals, along them on a "   \
+                "curved surface, or the scene's own",                                              \
+                "W11 eqs 15-17", "weighted_mean|normals|curved|exact"),                            \
+            WLS_CHOICE(                                                                            \
+                P_SPURIOUS, "spurious_velocity", spurious, 1,                                      \
+                "velocity of spurious nodes: their mean, or extrapolated from good neighbours",    \
+                "W11 3.5", "constant|extrapolate"),                                                \
+            WLS_CHOICE(P_RETURN, "return", back, 1, "what takes v, a and L back to particles",     \
+                       "W11 eqs 5, 6", "linear|spline"),                                           \
+            WLS_CHOICE(                                                                            \
+                P_AVERAGE, "average", AVERAGE_WEIGHTED, 1,                                         \
+                "force of spurious nodes: by mass, or the plain mean as printed (blows up)",       \
+                "W11 4.5", "weighted|literal"),                                                    \
+            WLS_CHOICE(                                                                            \
+                P_MASS, "mass", mass, 1,                                                           \
+                "accelerations by row sums of the mass matrix, or corrected towards the matrix",   \
+                "", "lumped|corrected"),                                                           \
+            WLS_NUMBER(P_HERMITE, "hermite", hermite, 10,                                          \
+                       "weight of the particles' velocity gradients in the fit of v; 0: none",     \
+                       "W07 4"),                                                                   \
+            WLS_NUMBER(P_TRIGGER, "trigger", trigger, 0.5625,                                      \
+                       "nodes whose largest weight is less are spurious", "W11 3.5"),              \
+            WLS_NUMBER(P_SURFACE_PER_CELL, "surface_per_cell", 0, 64,                              \
+                       "surface points per cell; 0: as dense as particles", "W11 3.3"),            \
+        {                                                                                          \
+            NULL, 0, 0, 0, NULL, NULL, NULL, NULL                                                  \
+        }                                                                                          \
+    }
+
+#define WLS_STAGES                                                                                 \
+    .valid = 1u << CD | 1u << USL, .integrator = {[1] = CD, [2] = CD, [3] = CD}, .surface = true,  \
+    .about_node = true, .width = tent_width, .shape = inner_tent_shape, .update = flip_update,     \
+    .node_bytes = sizeof(Line[FIT + 3]) + 3 * sizeof(double) + sizeof(Bend) + 2,                   \
+    .assemble = wls_assemble, .repair = wls_repair, .patches = wls_patches, .make = wls_make,      \
+    .free = wls_free, .adapt = wls_adapt
+
+#endif

@@ -1,0 +1,124 @@
+/* step.c: the stages of WLS in order (W11 section 4), and their workspace. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "methods/parts/shapes.h"
+#include "wls.h"
+
+static void *nodes_of(size_t n, size_t size)
+{
+    void *memory = NULL;
+    return posix_memalign(&memory, 64, (n + 1) * size) ? NULL : memory;
+}
+
+bool wls_make(Sim *sim)
+{
+    const double *par = sim->setup->method_par;
+    const Grid *g = &sim->g;
+    const size_t n = (size_t)g->rows * (size_t)g->n[0];
+    Wls *w = sim->own = calloc(1, sizeof *w);
+    if (!w) return false;
+    w->linear = (int)par[P_STRESS] == STRESS_LINEAR;
+    w->exact = (int)par[P_QUADRATURE] == QUADRATURE_EXACT;
+    w->distance_by = (int)par[P_DISTANCE];
+    w->extrapolate = (int)par[P_SPURIOUS] == SPURIOUS_EXTRAPOLATE;
+    w->literal = (int)par[P_AVERAGE] == AVERAGE_LITERAL;
+    w->corrected = (int)par[P_MASS] == MASS_CORRECTED;
+    w->hermite = par[P_HERMITE] * par[P_HERMITE];
+    w->trigger = par[P_TRIGGER];
+    w->inside =
+        2 * sim->setup->ppc / (double)CORNERS; /* the paper's 2, at its two particles an axis */
+    const double denser = sim->method.surface_per_cell / pow(sim->setup->ppc, 1.0 / DIM);
+    w->surface_beta = denser > 0 ? 1 / denser : 1;
+    w->fit = nodes_of(n, sizeof *w->fit);
+    w->skin = nodes_of(n, sizeof *w->skin);
+    w->skinned = calloc(n + 1, sizeof *w->skinned);
+    if (w->skin) memset(w->skin, 0, (n + 1) * sizeof *w->skin);
+    if (w->corrected) {
+        w->inertia = nodes_of(n, sizeof *w->inertia);
+        w->cell_mass = nodes_of(n, sizeof *w->cell_mass);
+    }
+    if (w->distance_by == DISTANCE_CURVED) w->bend = nodes_of(n, sizeof *w->bend);
+    w->most = nodes_of(n, sizeof *w->most);
+    w->distance = nodes_of(n, sizeof *w->distance);
+    w->good = nodes_of(n, 1);
+    w->fallbacks = calloc((size_t)g->rows, sizeof *w->fallbacks);
+    return w->fit && w->skin && w->skinned && w->most && w->distance && w->good && w->fallbacks &&
+           ((w->inertia && w->cell_mass) || !w->corrected) &&
+           (w->bend || w->distance_by != DISTANCE_CURVED);
+}
+
+void wls_free(Sim *sim)
+{
+    Wls *w = wls_of(sim);
+    free(w->fit), free(w->skin), free(w->inertia), free(w->most), free(w->distance), free(w->good);
+    free(w->cell_mass), free(w->skinned), free(w->bend), free(w->fallbacks);
+    free(w);
+}
+
+void wls_adapt(const double par[], Method *own)
+{
+    own->surface_per_cell = par[P_SURFACE_PER_CELL];
+    own->keeps_L = par[P_HERMITE] > 0;
+    if ((int)par[P_RETURN] != RETURN_SPLINE) return;
+    own->width = spline_width;
+    own->shape = spline_shape;
+    own->wall_images = true;
+}
+
+static void solve_row(Sim *sim, int row)
+{
+    const Grid *g = &sim->g;
+    Wls *w = wls_of(sim);
+    w->fallbacks[row] = 0;
+    for (int i = g->lo[row]; i < g->hi[row]; i++) {
+        const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
+        w->good[at] = w->most[at] > w->trigger;
+        const bool whole = wls_solve(w->fit[at], w->good[at], w->hermite);
+        w->fallbacks[row] += !whole && w->fit[at][FIT_MOMENTS][M_BETA] > 0;
+    }
+}
+
+void wls_assemble(Sim *sim, double t, bool force)
+{
+    const Grid *g = &sim->g;
+    wls_deposit(sim, t, force);
+#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
+    for (int row = 0; row < g->rows; row++)
+        if (g->lo[row] < g->hi[row]) {
+            solve_row(sim, row);
+            wls_distances(sim, row, t);
+        }
+    wls_integrate(sim);
+}
+
+/* Returns whether a node has mass. */
+static bool mark_sound(Sim *sim, int row)
+{
+    const Grid *g = &sim->g;
+    Wls *w = wls_of(sim);
+    bool any = false;
+    for (int i = g->lo[row]; i < g->hi[row]; i++) {
+        const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
+        const bool massive = g->node[at][0] > sim->mass_cut;
+        if (w->good[at] && massive) w->good[at] |= SOUND;
+        any |= massive;
+    }
+    return any;
+}
+
+void wls_repair(Sim *sim, double dt)
+{
+    const Grid *g = &sim->g;
+    bool any = false;
+#pragma omp parallel for schedule(static) num_threads(sim->setup->threads) reduction(|| : any)
+    for (int row = 0; row < g->rows; row++)
+        if (g->lo[row] < g->hi[row]) any = mark_sound(sim, row) || any;
+    wls_of(sim)->body = any;
+    if (wls_of(sim)->corrected) wls_correct(sim, dt);
+#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
+    for (int row = 0; row < g->rows; row++)
+        if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0)) wls_repair_row(sim, row, dt);
+    for (int row = 0; row < g->rows; row++)
+        if (g->lo[row] < g->hi[row]) sim->fallbacks += wls_of(sim)->fallbacks[row];
+}

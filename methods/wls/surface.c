@@ -1,0 +1,162 @@
+/* surface.c: how far every node lies inside the body (W11 3.3), from sums over surface points:
+ *   eq 14           rough: beta_i above the threshold is inside, one cell from the surface
+ *   eqs 15-17       distance to the mean of nearby surface points, sign by the gradient of beta
+ *   normals         d_i = sum S (x_p - x_i) . n_p / sum S, second order: points carry their normals
+ *   curved          the same on a circle through them
+ *   exact           where the scene knows it. */
+#include <math.h>
+#include "wls.h"
+
+/* A node this near the surface [cells] lies inside: a body that ends on a wall of the grid fills
+ * its last cells, corners included, whatever round-off says. */
+static const double ON_SURFACE = 1e-9;
+
+/* Current outward normal F^-T N of surface point p, of unit length. */
+static void push_normal(const Chunk *c, int p, double n[DIM])
+{
+    double length = 0;
+    Mat F;
+    for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
+    for (int a = 0; a < DIM; a++) {
+        n[a] = 0;
+        for (int b = 0; b < DIM; b++) n[a] += cofactor(F, a, b) * c->normal[b][p];
+        length += n[a] * n[a];
+    }
+    for (int a = 0; a < DIM && length > 0; a++) n[a] /= sqrt(length);
+}
+
+void wls_skin_point(Sim *sim, const Chunk *c, int p)
+{
+    const Grid *g = &sim->g;
+    Wls *w = wls_of(sim);
+    double n[DIM], x[DIM];
+    push_normal(c, p, n);
+    for (int d = 0; d < DIM; d++) x[d] = c->x[d][p] * g->cells - g->origin[d];
+    for (int k = 0; k < CORNERS; k++) {
+        double S = 1, away[DIM];
+        size_t at = 0;
+        for (int d = DIM - 1; d >= 0; d--) {
+            const int node = (int)floor(x[d]) + (k >> d & 1);
+            at = at * (size_t)g->n[d] + (size_t)node;
+            away[d] = x[d] - node;
+            S *= 1 - fabs(away[d]);
+        }
+        Line *first = &w->skin[at][0], *second = &w->skin[at][1];
+        w->skinned[at] = true;
+        (*first)[K_ONE] += S;
+        for (int d = 0; d < DIM; d++) {
+            (*first)[K_FIRST + d] += S * away[d];
+            (*first)[K_NORMAL + d] += S * n[d];
+            (*first)[K_ALONG] += S * away[d] * n[d];
+            for (int e = d; e < DIM; e++) (*second)[K_RR + pair(d, e)] += S * away[d] * away[e];
+            for (int e = 0; e < DIM; e++) (*second)[K_RN + d * DIM + e] += S * away[d] * n[e];
+        }
+    }
+}
+
+/* n = sum_i G_i(x) beta_i, eq 16, at x [cells from node 0]; nodes beyond the live ones have none.
+ */
+static void beta_gradient(const Sim *sim, const double x[DIM], double n[DIM])
+{
+    const Wls *w = sim->own;
+    int base[DIM];
+    for (int d = 0; d < DIM; d++) base[d] = (int)floor(x[d]), n[d] = 0;
+    for (int k = 0; k < CORNERS; k++) {
+        int index[DIM];
+        double sign[DIM];
+        for (int d = 0; d < DIM; d++) index[d] = base[d] + (k >> d & 1);
+        const size_t at = grid_image(&sim->g, index, sign);
+        if (at == NOWHERE) continue;
+        for (int d = 0; d < DIM; d++) {
+            double G = w->fit[at][FIT_MOMENTS][M_BETA];
+            for (int e = 0; e < DIM; e++) {
+                const double f = x[e] - base[e], far = k >> e & 1;
+                G *= e == d ? 2 * far - 1 : far > 0 ? f : 1 - f;
+            }
+            n[d] += G;
+        }
+    }
+}
+
+/* Eqs 15-17. */
+static double mean_distance(const Sim *sim, const int index[DIM], const Line skin)
+{
+    double x[DIM], away[DIM], n[DIM], square = 0, dot = 0;
+    for (int d = 0; d < DIM; d++) {
+        away[d] = skin[K_FIRST + d] / skin[K_ONE];
+        x[d] = index[d] + away[d];
+        square += away[d] * away[d];
+    }
+    beta_gradient(sim, x, n);
+    for (int d = 0; d < DIM; d++) dot += away[d] * n[d];
+    return dot < 0 ? sqrt(square) : -sqrt(square);
+}
+
+/* Mean outward normal and curvature from the surface sums of a node; false: no curvature is known.
+ * With <.> the S-weighted mean and t normal to nbar = <n>/|<n>|:
+ *   sb = <r.t>,  s2 = <(r.t)^2> - sb^2,  kappa = <(r.t)(n.t)>/s2. Planes only. */
+static bool find_bend(const Line skin[2], Bend *out)
+{
+    *out = (Bend){{0}, 0};
+    if (DIM != 2 || !(skin[0][K_ONE] > 0)) return false;
+    const double scale = 1 / skin[0][K_ONE], nx = skin[0][K_NORMAL] * scale,
+                 ny = skin[0][K_NORMAL + DIM - 1] * scale, length = hypot(nx, ny);
+    if (!(length >= 0.9)) return false; /* an edge, or two surfaces */
+    const double t[2] = {-ny / length, nx / length};
+    double sb = 0, s2 = 0, turn = 0;
+    for (int d = 0; d < DIM; d++) {
+        sb += scale * skin[0][K_FIRST + d] * t[d % 2];
+        for (int e = 0; e < DIM; e++) {
+            s2 += scale * skin[1][K_RR + pair(d, e)] * t[d % 2] * t[e % 2];
+            turn += scale * skin[1][K_RN + d * DIM + e] * t[d % 2] * t[e % 2];
+        }
+    }
+    s2 -= sb * sb;
+    out->normal[0] = nx / length;
+    out->normal[DIM - 1] = ny / length;
+    if (!(s2 >= 1e-3) || !(fabs(turn) <= 0.3 * s2)) return false; /* one point; rough */
+    out->kappa = turn / s2;
+    return true;
+}
+
+/* d = [<r.n_p> + <r>.nbar]/2 - kappa sb^2/2: both means of a circle's distance, whose second-order
+ * parts all but cancel; the plain mean along normals where there is no curvature. */
+static double curved_distance(const Line skin[2], Bend *bend)
+{
+    const double along = skin[0][K_ALONG] / skin[0][K_ONE];
+    if (!find_bend(skin, bend)) return along;
+    double r[DIM], mean = 0;
+    for (int d = 0; d < DIM; d++) {
+        r[d] = skin[0][K_FIRST + d] / skin[0][K_ONE];
+        mean += r[d] * bend->normal[d];
+    }
+    const double sb = r[DIM - 1] * bend->normal[0] - r[0] * bend->normal[DIM - 1];
+    return 0.5 * (along + mean) - 0.5 * bend->kappa * sb * sb;
+}
+
+static double distance_by_points(const Sim *sim, const int index[DIM], size_t at)
+{
+    const Wls *w = sim->own;
+    const Line *skin = w->skin[at];
+    if (w->bend) return curved_distance(skin, &w->bend[at]);
+    return w->distance_by == DISTANCE_NORMALS ? skin[0][K_ALONG] / skin[0][K_ONE]
+                                              : mean_distance(sim, index, skin[0]);
+}
+
+void wls_distances(Sim *sim, int row, double t)
+{
+    Wls *w = wls_of(sim);
+    const Grid *g = &sim->g;
+    int index[DIM], rest = row;
+    for (int d = 1; d < DIM; d++) index[d] = rest % g->n[d], rest /= g->n[d];
+    for (index[0] = g->lo[row]; index[0] < g->hi[row]; index[0]++) {
+        const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)index[0];
+        if (w->bend) w->bend[at] = (Bend){{0}, 0};
+        double d = w->fit[at][FIT_MOMENTS][M_BETA] > w->inside ? 1 : -1;
+        if (w->distance_by == DISTANCE_EXACT)
+            d = sim_distance(sim, index, t);
+        else if (w->skinned[at] && w->skin[at][0][K_ONE] > 0)
+            d = distance_by_points(sim, index, at);
+        w->distance[at] = fabs(d) < ON_SURFACE ? ON_SURFACE : d;
+    }
+}

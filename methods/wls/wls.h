@@ -1,0 +1,175 @@
+/* wls.h: rooms of the weighted-least-squares method (W11 sections 3, 4): what they share.
+ *
+ *   wls/moments.c   particles to moments and loads of every node (eqs 7-9)
+ *   wls/fold.c      symmetry lines
+ *   wls/fit.c       planes from them (eqs 10-12)
+ *   wls/surface.c   signed distance of nodes from flagged surface points (eqs 13-17)
+ *   polygon.c   marching squares: the shape of a cut cell (eq 18)
+ *   wls/cells.c     integrals over full and cut cells (eqs 19-24)
+ *   wls/inertia.c   accelerations towards the consistent mass matrix
+ *   wls/nodes.c     spurious nodes and nodes without mass (3.5, 4.5)
+ *   wls/step.c      their order, workspace
+ *
+ * Lengths are in cells; r = x_p - x_i. A node's function is f(r) = c0 + c . r of each quantity. */
+#ifndef MPMLAB_WLS_H
+#define MPMLAB_WLS_H
+
+#include "common/core/sim.h"
+
+/* Parameters of wls, wls2 and ge_wls, in the order of their lists. */
+enum {
+    P_STRESS,
+    P_QUADRATURE,
+    P_DISTANCE,
+    P_SPURIOUS,
+    P_RETURN,
+    P_AVERAGE,
+    P_MASS,
+    P_HERMITE,
+    P_TRIGGER,
+    P_SURFACE_PER_CELL
+};
+enum { STRESS_LINEAR, STRESS_C0 };
+enum { QUADRATURE_CENTROID, QUADRATURE_EXACT };
+enum { DISTANCE_WEIGHTED_MEAN, DISTANCE_NORMALS, DISTANCE_CURVED, DISTANCE_EXACT };
+enum { SPURIOUS_CONSTANT, SPURIOUS_EXTRAPOLATE };
+enum { RETURN_LINEAR, RETURN_SPLINE };
+enum { AVERAGE_WEIGHTED, AVERAGE_LITERAL };
+enum { MASS_LUMPED, MASS_CORRECTED };
+
+enum { CORNERS = 1 << DIM, PAIRS = DIM * (DIM + 1) / 2, NEIGHBOURS = IN_THIS_DIM(3, 9, 27) };
+
+/* Lines of a node. Before the solution: moments, then loads of all quantities times 1, r_0, r_1,
+ * ...; after it the coefficients c0, c_0, c_1, ... stand where the loads were. */
+enum { FIT_MOMENTS, FIT_VALUE, FIT_SLOPE, FIT = FIT_SLOPE + DIM };
+
+/* Lanes of the moments: 1, r_d, r_d r_e (d <= e), all times W; last beta (eq 13), times the tent S.
+ */
+enum { M_ONE, M_FIRST, M_SECOND = M_FIRST + DIM, M_BETA = M_SECOND + PAIRS };
+
+/* Lanes of the quantities: v, rho, f_ext = rho b, sigma (a <= b). */
+enum {
+    Q_V,
+    Q_RHO = Q_V + DIM,
+    Q_FORCE = Q_RHO + 1,
+    Q_SIGMA = Q_FORCE + DIM,
+    QUANTITIES = Q_SIGMA + PAIRS
+};
+
+/* Lanes of sums over surface points, all times the tent: 1, r_d, n_d, r . n in one line; r_d r_e
+ * (d <= e) and r_d n_e in a second. */
+enum { K_ONE, K_FIRST, K_NORMAL = K_FIRST + DIM, K_ALONG = K_NORMAL + DIM };
+enum { K_RR, K_RN = K_RR + PAIRS };
+
+/* Lanes of the mass correction: a0, M a0, row sum of M. */
+enum { I_A, I_MA = I_A + DIM, I_M = I_MA + DIM };
+
+_Static_assert(M_BETA < (int)LANES && QUANTITIES <= (int)LANES && K_ALONG < (int)LANES &&
+                   K_RN + NMAT <= (int)LANES && I_M < (int)LANES,
+               "lanes");
+
+/* Number of the pair (d, e), d <= e, in row order. */
+static inline int pair(int d, int e)
+{
+    return d <= e ? d * DIM - d * (d - 1) / 2 + e - d : pair(e, d);
+}
+
+/* The surface near a node: mean outward normal, and curvature [1/cell] (> 0: convex), 0 where its
+ * points do not tell. */
+typedef struct Bend {
+    double normal[DIM], kappa;
+} Bend;
+
+typedef struct Wls {
+    bool linear, exact, extrapolate, literal, corrected; /* choices: see the parameters */
+    int distance_by;
+    double hermite; /* g^2: weight of gradients in the fit of v */
+    double trigger;
+    double inside;       /* nodes with more beta are inside, eq 14 */
+    double surface_beta; /* beta of a surface point: 1, less where they are denser */
+    Line (*fit)[FIT];    /* [nodes] */
+    Line (*skin)[2];     /* [nodes] sums over surface points, 0 but where `skinned` */
+    bool *skinned;       /* [nodes] */
+    Bend *bend;          /* [nodes] or NULL: all surfaces are straight */
+    Line *inertia;       /* [nodes] of the mass correction, or NULL */
+    double *cell_mass;   /* [nodes] of the full cell above a node [kg], with it */
+    double *most;        /* [nodes] largest W of any particle */
+    double *distance;    /* [nodes] [cells] from the surface, > 0 inside */
+    unsigned char *good; /* [nodes] not 0: alpha of eqs 19-21; with SOUND: has mass, too */
+    bool body;           /* some node has mass */
+    long *fallbacks;     /* [rows] of this step */
+} Wls;
+
+static inline Wls *wls_of(const Sim *sim)
+{
+    return sim->own;
+}
+
+/* Is node `at` good, with mass of its own? Known from the start of the repair on, which gives
+ * others a token of mass, so that no node depends on when its neighbours are repaired. */
+enum { SOUND = 2 };
+static inline bool wls_is_sound(const Sim *sim, size_t at)
+{
+    return wls_of(sim)->good[at] & SOUND;
+}
+
+/* Moments, loads, largest weights and surface sums of all live nodes, symmetry included. */
+void wls_deposit(Sim *sim, double t, bool force);
+
+/* Adds what the mirrored body beyond symmetry lines would have deposited. */
+void wls_fold(Sim *sim);
+
+/* Coefficients of one node's functions in place of its loads. `hermite` = g^2 > 0: the loads of v
+ * hold g^2 h L, too. Returns false if the node fell back to c0: no particle within the trigger
+ * weight, or moments that do not determine a plane. */
+bool wls_solve(Line fit[FIT], bool near, double hermite);
+
+/* Surface point p of a chunk to the surface sums of its 2^DIM nodes. */
+void wls_skin_point(Sim *sim, const Chunk *c, int p);
+
+/* Signed distances, and bends, of the live nodes of one row. */
+void wls_distances(Sim *sim, int row, double t);
+
+/* Mass, body force and internal force of all cells, onto the nodes of the grid. */
+void wls_integrate(Sim *sim);
+
+/* Is the cell above node index i of the axis beyond a symmetry line? */
+bool wls_mirrored_cell(const Grid *g, int axis, int i);
+
+/* Points and weights (fractions of a cell) that integrate over the part of a cell where the
+ * distance, given at its corners (bit d of the number: far side of axis d), is positive; `bend` of
+ * the corners, or NULL: straight. Returns their number. */
+enum { MAX_POINTS = 18 };
+int wls_cell_points(const double distance[CORNERS], const Bend *bend, bool exact,
+                    double xi[MAX_POINTS][DIM], double weight[MAX_POINTS]);
+
+/* M a0 and the row sums of M, M_ij = sum_q S_iq S_jq rho_q V_q over the same points [kg], into
+ * `inertia`. */
+void wls_mass_times(Sim *sim);
+
+/* Accelerations corrected towards the consistent mass matrix: a = 2 a0 - D^-1 M a0 at good nodes,
+ * after symmetry; written back as internal force. Then v of a node is to lag behind v + dt a. */
+void wls_correct(Sim *sim, double dt);
+void wls_hold_back(const Sim *sim, size_t at, const int index[DIM], double dt, double v[DIM]);
+
+/* Components that a wall holds or a symmetry line cancels at node i of a row. */
+unsigned wls_held(const Grid *g, int row, int i);
+
+/* After a node's internal force was changed from that of the line `before`: the ledger has booked
+ * it as it was integrated, with which forces and reactions sum to nothing. Where a component is
+ * `held` the wall bears just that. Elsewhere the change is momentum that no wall gave: it is booked
+ * against, and shows as drift, unless other nodes lose as much. */
+void wls_book_change(Sim *sim, int row, size_t at, double dt, const Line before, unsigned held);
+
+/* Velocities, spurious and massless nodes of one row, after symmetry. */
+void wls_repair_row(Sim *sim, int row, double dt);
+
+/* Stages of Method (method.h), shared by all settings. */
+bool wls_make(Sim *sim);
+void wls_free(Sim *sim);
+void wls_adapt(const double par[], Method *own);
+void wls_assemble(Sim *sim, double t, bool force);
+void wls_repair(Sim *sim, double dt);
+void wls_patches(const Sim *sim, PatchVisit *visit, void *own);
+
+#endif

@@ -1,0 +1,106 @@
+/* csv_append.c: one write() a row under flock, so that parallel runs can share a table. */
+#include "csv_append.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "common/base/table.h"
+
+enum { BLOCK = 512 };
+
+static int machine(const char *path, Fault *fault)
+{
+    return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
+}
+
+/* Reads the first line: 1 if the file has none yet, 0 if it is our header, else a fault. */
+static int read_header(int fd, const char *path, Fault *fault)
+{
+    char text[ROW_TEXT + 2], ours[ROW_TEXT];
+    int length = row_header(ours);
+    ssize_t n = pread(fd, text, sizeof text - 1, 0);
+    if (n < 0 && errno != ESPIPE) {
+        machine(path, fault);
+        return -1;
+    }
+    if (n <= 0) return 1;
+    text[n] = '\0';
+    text[strcspn(text, "\r\n")] = '\0';
+    if (strcmp(text, ours) == 0) return 0;
+    if (n < length && strncmp(text, ours, (size_t)n) == 0) return 1; /* a torn header: start anew */
+    fault_set(fault, FAULT_USAGE,
+              "--csv: got '%s', a file with other columns, takes a table of rows", path);
+    return -1;
+}
+
+int csv_append_check(const char *path, Fault *fault)
+{
+    int fd = open(path, O_RDWR | O_APPEND | O_CLOEXEC);
+    if (fd >= 0) {
+        int header = read_header(fd, path, fault);
+        close(fd);
+        return header < 0 ? fault->code : 0;
+    }
+    return errno == ENOENT ? file_check(path, fault) : machine(path, fault);
+}
+
+/* Makes the file end in a whole line: a last line without its end gets one if it has every cell,
+ * and is dropped if not. So it is where a block of the disk ends, for that is where writes are
+ * torn: its last number may have lost digits. The file's new size, or -1. */
+static off_t mend_tail(int fd, off_t size, const char *path, FILE *notes)
+{
+    char c = '\n';
+    int cells = 1;
+    off_t whole = size;
+    while (whole > 0 && pread(fd, &c, 1, whole - 1) == 1 && c != '\n') {
+        cells += c == ',';
+        whole--;
+    }
+    if (whole == size) return size;
+    if (cells == row_columns() && size % BLOCK != 0) return write(fd, "\n", 1) == 1 ? size + 1 : -1;
+    if (notes) fprintf(notes, "mpmlab: %s: dropped its last line, which was torn\n", path);
+    return ftruncate(fd, whole) == 0 ? whole : -1;
+}
+
+/* Writes all of text or, as far as it can, nothing. */
+static int write_whole(int fd, const char *path, const char *text, size_t n, off_t size,
+                       Fault *fault)
+{
+    ssize_t done = write(fd, text, n);
+    if (done == (ssize_t)n) return 0;
+    if (done >= 0) errno = ENOSPC;
+    int code = machine(path, fault);
+    return ftruncate(fd, size) == 0 ? code : code; /* what is left is then a torn line, and known */
+}
+
+static int append_locked(int fd, const char *path, const Row *row, FILE *notes, Fault *fault)
+{
+    struct stat s;
+    char text[2 * ROW_TEXT];
+    int header = read_header(fd, path, fault), n = 0;
+    if (header < 0) return fault->code;
+    if (fstat(fd, &s) != 0) return machine(path, fault);
+    off_t size = S_ISREG(s.st_mode) ? mend_tail(fd, s.st_size, path, notes) : 0;
+    if (size < 0) return machine(path, fault);
+    if (header == 1) {
+        n = row_header(text);
+        text[n++] = '\n';
+    }
+    n += row_print(row, text + n);
+    text[n++] = '\n';
+    return write_whole(fd, path, text, (size_t)n, size, fault);
+}
+
+int csv_append(const char *path, const Row *row, FILE *notes, Fault *fault)
+{
+    int fd = open(path, O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+    if (fd < 0) return machine(path, fault);
+    int code = flock(fd, LOCK_EX) == 0 || errno == EINVAL ? 0 : machine(path, fault);
+    if (code == 0) code = append_locked(fd, path, row, notes, fault);
+    if (close(fd) != 0 && code == 0) code = machine(path, fault);
+    return code;
+}

@@ -1,0 +1,129 @@
+/* list_command.c: `list` and `describe`: what there is, and what each takes. */
+#include <string.h>
+#include "cli.h"
+#include "studies/runs/run_args.h"
+
+static int take_word(void *into, const char *name, const char *value, Fault *fault)
+{
+    const char **word = into;
+    (void)name; /* these commands have no options */
+    if (*word) return refuse(fault, "argument", value, "one name only", NULL, 0);
+    *word = value;
+    return 0;
+}
+
+static const Option no_options[] = {{NULL, NULL, NULL}};
+
+typedef const Info *const *InfoList;
+
+static InfoList problems_of(const Engine *e)
+{
+    return e->problems;
+}
+
+static InfoList methods_of(const Engine *e)
+{
+    return e->methods;
+}
+
+static const Info *info_in(InfoList list, const char *name)
+{
+    for (; *list; list++)
+        if (strcmp((*list)->name, name) == 0) return *list;
+    return NULL;
+}
+
+/* One line: kind, name, every dimension that knows it, what it is. */
+static void print_entry(const char *kind, const char *name, InfoList (*of)(const Engine *))
+{
+    const Info *info = NULL;
+    printf("%s\t%s\t", kind, name);
+    for (const Engine *const *e = engines; *e; e++) {
+        const Info *here = info_in(of(*e), name);
+        if (here) printf("%s%d", info ? "," : "", (*e)->dim);
+        if (here) info = here;
+    }
+    printf("\t%s\n", info ? info->about : "");
+}
+
+static void list_methods(void)
+{
+    const char *names[64];
+    int n = method_names(names, 64);
+    for (int k = 0; k < n; k++) print_entry("method", names[k], methods_of);
+}
+
+static void list_problems(void)
+{
+    const char *names[64];
+    int n = problem_names(names, 64);
+    for (int k = 0; k < n; k++) print_entry("problem", names[k], problems_of);
+}
+
+/* A study has no dimension of its own. */
+static void list_studies(void)
+{
+    for (const Study *const *s = studies; *s; s++)
+        printf("study\t%s\t-\t%s: %s\n", (*s)->name, (*s)->figure, (*s)->about);
+}
+
+static int list(int argc, char **argv, Fault *fault)
+{
+    static const char *const kinds[] = {"methods", "problems", "studies"};
+    static void (*const print[])(void) = {list_methods, list_problems, list_studies};
+    const char *kind = NULL;
+    int found = 0, code = options_read(argc, argv, no_options, take_word, &kind, fault);
+    if (code) return code;
+    for (int k = 0; k < 3; k++) {
+        if (kind && strcmp(kind, kinds[k]) != 0) continue;
+        print[k]();
+        found = 1;
+    }
+    return found ? 0 : refuse(fault, "KIND", kind, "methods, problems or studies", kinds, 3);
+}
+
+const Command list_command = {
+    .name = "list",
+    .usage = "[methods|problems|studies]",
+    .about = "what there is: kind, name, dimensions and one line each, separated by tabs",
+    .options = no_options,
+    .run = list,
+};
+
+static int refuse_name(const char *name, Fault *fault)
+{
+    const char *names[192];
+    int n = problem_names(names, 64);
+    n += method_names(names + n, 64);
+    for (const Study *const *s = studies; *s && n < 192; s++) names[n++] = (*s)->name;
+    return refuse(fault, "NAME", name ? name : "", "a problem, method or study", names, n);
+}
+
+static int describe_study(const char *name)
+{
+    const Study *s = study_named(name, NULL);
+    if (!s) return -1;
+    printf("study %s\n  figure  %s\n  about   %s\n  cases   %d (quick: %d)\n  table   %s.csv\n",
+           s->name, s->figure, s->about, study_case_count(s, false), study_case_count(s, true),
+           s->name);
+    return 0;
+}
+
+static int describe(int argc, char **argv, Fault *fault)
+{
+    const char *name = NULL;
+    int known = 0, code = options_read(argc, argv, no_options, take_word, &name, fault);
+    if (code) return code;
+    if (!name) return refuse_name(name, fault);
+    for (const Engine *const *e = engines; *e; e++) known |= (*e)->describe(name, stdout) == 0;
+    known |= describe_study(name) == 0;
+    return known ? 0 : refuse_name(name, fault);
+}
+
+const Command describe_command = {
+    .name = "describe",
+    .usage = "NAME",
+    .about = "parameters, defaults and sources of a problem or method; what a study does",
+    .options = no_options,
+    .run = describe,
+};

@@ -1,0 +1,241 @@
+/* study_command.c: `study` and `claims`: results made, judged and shown. */
+#define _GNU_SOURCE /* O_DIRECTORY */
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <unistd.h>
+#include "studies/engine/claims.h"
+#include "cli.h"
+#include "studies/runs/memory.h"
+#include "studies/scoreboard/page.h"
+#include "studies/engine/plot.h"
+#include "studies/runs/run_args.h"
+#include "studies/engine/run_study.h"
+
+typedef struct StudyArgs {
+    const char *name, *out; /* as typed */
+    StudyOptions options;
+} StudyArgs;
+
+static const char default_out[] = "build/out";
+
+static const Option study_options[] = {
+    {"quick", NULL, "fewer and smaller cases, into OUT/quick; no verdicts"},
+    {"jobs", "N", "cases at once, each in a process (default 1; timed studies: always 1)"},
+    {"out", "DIR", "where results go (default build/out)"},
+    {"method", "M,M", "only the cases of these methods; no verdicts"},
+    {"list", NULL, "only print the missing cases, one command a line"},
+    {"collect", NULL, "first take in the rows that such commands have left"},
+    {NULL, NULL, NULL},
+};
+
+const Study *study_named(const char *name, Fault *fault)
+{
+    const char *names[128] = {"all"};
+    int n = 1;
+    for (const Study *const *s = studies; *s && n < 128; s++) {
+        if (strcmp((*s)->name, name) == 0) return *s;
+        names[n++] = (*s)->name;
+    }
+    refuse(fault, "NAME", name, "a study or all", names, n);
+    return NULL;
+}
+
+/* Every word of "mpm,gimp" must be a method. */
+static int methods_check(const char *words, Fault *fault)
+{
+    char word[64];
+    for (;; words++) {
+        size_t n = strcspn(words, ",");
+        snprintf(word, sizeof word, "%.*s", (int)n, words);
+        int code = method_check("--method", word, fault);
+        words += n;
+        if (code || !*words) return code;
+    }
+}
+
+static int take_name(StudyArgs *args, const char *got, Fault *fault)
+{
+    if (args->name) return refuse(fault, "NAME", got, "one study or all", NULL, 0);
+    args->name = got;
+    return strcmp(got, "all") == 0 || study_named(got, fault) ? 0 : FAULT_USAGE;
+}
+
+static int take_out(const char **out, const char *got, Fault *fault)
+{
+    if (!*got) return fault_set(fault, FAULT_USAGE, "--out: got '', takes a folder");
+    *out = got;
+    return 0;
+}
+
+static int take_action(StudyOptions *o, StudyAction action, Fault *fault)
+{
+    if (o->action != STUDY_DO)
+        return fault_set(fault, FAULT_USAGE, "--list, --collect: got both, takes one of them");
+    o->action = action;
+    return 0;
+}
+
+static int take_study(void *into, const char *name, const char *got, Fault *fault)
+{
+    StudyArgs *args = into;
+    StudyOptions *o = &args->options;
+    if (!name) return take_name(args, got, fault);
+    switch (name[0]) {
+    case 'q':
+        o->quick = true;
+        return 0;
+    case 'j':
+        return whole_parse("--jobs", got, 1024, &o->jobs, fault);
+    case 'o':
+        return take_out(&args->out, got, fault);
+    case 'm':
+        o->methods = got;
+        return methods_check(got, fault);
+    case 'l':
+        return take_action(o, STUDY_LIST, fault);
+    default:
+        return take_action(o, STUDY_COLLECT, fault);
+    }
+}
+
+/* claims.csv and index.html of everything in dir; one program at a time, or the one that read
+ * first might write last. */
+static int publish(Check *check, bool judged, const char *dir, Fault *fault)
+{
+    int fd = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd < 0 || flock(fd, LOCK_EX) != 0) errno = 0; /* a file system without locks */
+    int code = judged ? check_all(check, dir, fault) : 0;
+    if (code == 0 && judged) code = claims_write(check, dir, fault);
+    if (code == 0) code = page_write(check, dir, fault);
+    if (fd >= 0) close(fd);
+    return code;
+}
+
+/* Runs one study or all; the first fault is kept, but only an interruption ends the rest. */
+static int run_studies(const StudyArgs *args, Fault *fault)
+{
+    int code = 0;
+    bool drawn = true;
+    for (const Study *const *s = studies; *s && code != EXIT_INTERRUPTED; s++) {
+        Fault f = {0};
+        if (strcmp(args->name, "all") != 0 && strcmp(args->name, (*s)->name) != 0) continue;
+        int got = study_run(*s, &args->options, &f);
+        if (got == PLOT_NO_GNUPLOT)
+            drawn = false;
+        else if (got && (code == 0 || got == EXIT_INTERRUPTED)) {
+            code = got;
+            *fault = f;
+        }
+    }
+    if (!drawn) fputs("mpmlab: gnuplot is not installed: no figures drawn\n", stderr);
+    return code;
+}
+
+/* Can the claims and the page be written behind the runs? */
+static int check_files(const StudyOptions *o, Fault *fault)
+{
+    static const char *const names[] = {"claims.csv", "index.html"};
+    int code = o->action == STUDY_LIST ? 0 : folder_make(o->dir, fault);
+    for (int k = 0; k < 2 && code == 0 && o->action != STUDY_LIST; k++) {
+        char *path = text_of("%s/%s", o->dir, names[k]);
+        code = file_check(path, fault);
+        free(path);
+    }
+    return code;
+}
+
+static int study(int argc, char **argv, Fault *fault)
+{
+    StudyArgs args = {.out = default_out, .options = {.jobs = 1}};
+    Check check = {0};
+    Fault late;
+    int code = options_read(argc, argv, study_options, take_study, &args, fault);
+    if (code) return code;
+    if (!args.name) return fault_set(fault, FAULT_USAGE, "NAME: got nothing, takes a study or all");
+    char *dir = text_of("%s%s", args.out, args.options.quick ? "/quick" : "");
+    args.options.dir = dir;
+    code = check_files(&args.options, fault);
+    if (code) {
+        free(dir);
+        return code;
+    }
+    code = run_studies(&args, fault);
+    if (args.options.action != STUDY_LIST && (code == 0 || code == FAULT_MACHINE)) {
+        int last = publish(&check, !args.options.quick, dir, code ? &late : fault);
+        code = code ? code : last;
+    }
+    free(check.list);
+    free(dir);
+    return code;
+}
+
+const Command study_command = {
+    .name = "study",
+    .usage = "NAME|all [options]",
+    .about = "runs what a study lacks, writes its table and figure, and judges its claims",
+    .options = study_options,
+    .run = study,
+};
+
+static const Option claims_options[] = {
+    {"out", "DIR", "where the results are (default build/out)"},
+    {NULL, NULL, NULL},
+};
+
+static int take_claims(void *into, const char *name, const char *got, Fault *fault)
+{
+    if (!name) return refuse(fault, "argument", got, "options only", NULL, 0);
+    return take_out(into, got, fault);
+}
+
+static void print_number(double x, int width)
+{
+    if (isnan(x))
+        printf("%*s", width, "-");
+    else
+        printf("%*.5g", width, x);
+}
+
+static void print_claim(const Claim *c, int id_width, bool colour)
+{
+    static const char *const codes[] = {"\033[32m", "\033[31m", "\033[33m", "\033[2m"};
+    printf("%s%-7s%s  %-*s  ", colour ? codes[c->verdict] : "", verdict_name(c->verdict),
+           colour ? "\033[0m" : "", id_width, c->id);
+    print_number(c->measured, 12);
+    printf("  [");
+    print_number(c->low, 0);
+    printf(", ");
+    print_number(c->high, 0);
+    printf("]  %s%s%s\n", c->statement, c->reason[0] ? ": " : "", c->reason);
+}
+
+static int claims(int argc, char **argv, Fault *fault)
+{
+    const char *out = default_out;
+    Check check = {0};
+    int width = 0, failed = 0;
+    int code = options_read(argc, argv, claims_options, take_claims, &out, fault);
+    if (code == 0) code = folder_make(out, fault);
+    if (code == 0) code = publish(&check, true, out, fault);
+    for (int k = 0; k < check.n; k++) {
+        int n = (int)strlen(check.list[k].id);
+        width = n > width ? n : width;
+        failed |= check.list[k].verdict == FAIL;
+    }
+    for (int k = 0; k < check.n && code == 0; k++)
+        print_claim(&check.list[k], width, isatty(STDOUT_FILENO));
+    free(check.list);
+    return code ? code : failed ? EXIT_CLAIM_FAILED : 0;
+}
+
+const Command claims_command = {
+    .name = "claims",
+    .usage = "[--out DIR]",
+    .about = "judges every claim on the tables on disk; status 3 if one fails",
+    .options = claims_options,
+    .run = claims,
+};

@@ -1,0 +1,56 @@
+/* sweep.h: a user's own study: every combination of lists of run options, its orders, its figure.
+ */
+#ifndef MPMLAB_SWEEP_H
+#define MPMLAB_SWEEP_H
+
+#include "lists.h"
+#include "studies/study.h"
+
+enum { SWEEP_AXES = 24 };
+
+/* One option with its values. */
+typedef struct Axis {
+    char option[64]; /* "cells", or "set" */
+    char name[64];   /* "cells", or the setting's name */
+    List list;
+} Axis;
+
+typedef struct Sweep {
+    char problem[32];
+    int n;
+    Axis axis[SWEEP_AXES];
+    int across;  /* the axis that figure and orders go along: the longest list of numbers; or -1 */
+    int chosen;  /* how many combinations can be run */
+    int *choice; /* [chosen] their numbers, ascending */
+} Sweep;
+
+/* Finds `across`, and puts that axis last: then the cases of one curve stand together. */
+void sweep_arrange(Sweep *sweep);
+
+/* How many combinations it has. */
+double sweep_size(const Sweep *sweep);
+
+/* The command of combination k. */
+void sweep_case(const Sweep *sweep, int k, char text[], size_t size);
+
+/* Is each value of the list a number? */
+bool sweep_is_numeric(const List *list);
+
+/* The value of axis a in combination k. */
+const char *sweep_value(const Sweep *sweep, int a, int k);
+
+/* What combination k has that other curves have not: "gimp; cfl 0.1". */
+void sweep_title(const Sweep *sweep, int k, char text[256]);
+
+/* Finds the combinations that can be run. Others (a method with an integrator it is unstable with)
+ * are left out, and each reason is written on `notes`. A fault with code 2: none is left, or a
+ * word is refused in every combination and by itself. */
+int sweep_choose(Sweep *sweep, FILE *notes, Fault *fault);
+
+void sweep_free(Sweep *sweep);
+
+/* From dir/NAME.csv, whose rows are those of the chosen combinations: NAME.curves.csv (series, x,
+ * y, status), NAME.orders.csv (one line per curve) and NAME.var for the figure. 0 or a fault. */
+int sweep_tables(const Sweep *sweep, const char *dir, const char *name, Fault *fault);
+
+#endif

@@ -1,0 +1,183 @@
+/* claims.c: verdicts. A number that is not there (NAN) always fails. */
+#include "claims.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "common/base/info.h"
+#include "studies/runs/memory.h"
+#include "studies/tables/curves.h"
+#include "sidecar.h"
+
+const char *verdict_name(Verdict v)
+{
+    static const char *const names[] = {"PASS", "FAIL", "DIFFERS", "NOT_RUN"};
+    return names[v];
+}
+
+/* A value under a name that gnuplot takes: letters, digits and _. */
+static void write_note(FILE *out, const char *name, double value)
+{
+    char number[64];
+    if (!out) return;
+    number_print(value, number);
+    for (const char *c = name; *c; c++) {
+        int plain = (*c >= '0' && *c <= '9') || ((*c | 32) >= 'a' && (*c | 32) <= 'z');
+        putc(plain ? *c : '_', out);
+    }
+    fprintf(out, " = %s\n", isfinite(value) ? number : "NaN");
+}
+
+void note_number(Check *check, const char *name, double value)
+{
+    write_note(check->notes, name, value);
+}
+
+static void add(Check *check, const char *id, const char *statement, Verdict verdict,
+                const double bounds[2], Measure measured, const char *reason)
+{
+    Claim c = {.study = check->study, .verdict = verdict};
+    snprintf(c.id, sizeof c.id, "%s", id);
+    snprintf(c.statement, sizeof c.statement, "%s", statement);
+    snprintf(c.reason, sizeof c.reason, "%s", reason);
+    c.measured = isfinite(measured.value) ? measured.value : NAN;
+    c.rows = measured.rows;
+    c.judged = measured.rows >= measured.needs && !isnan(measured.value);
+    c.low = bounds[0];
+    c.high = bounds[1];
+    check->list = one_more(check->list, check->n, sizeof c);
+    check->list[check->n++] = c;
+}
+
+static bool within(double x, double low, double high)
+{
+    return x >= low && x <= high;
+}
+
+/* Why no verdict on the number itself can be given; "" if one can. */
+static void why_not(Measure m, char reason[128])
+{
+    reason[0] = '\0';
+    if (m.rows < m.needs)
+        snprintf(reason, 128, "the tables have numbers in %d rows, the claim needs %d", m.rows,
+                 m.needs);
+    else if (isnan(m.value))
+        snprintf(reason, 128, "the tables do not give the number");
+}
+
+void claim(Check *check, const char *id, const char *statement, Measure measured, double low,
+           double high)
+{
+    claim_differs(check, id, statement, measured, low, high, NAN, NAN, "");
+}
+
+void claim_differs(Check *check, const char *id, const char *statement, Measure measured,
+                   double low, double high, double seen_low, double seen_high, const char *reason)
+{
+    const double bounds[] = {low, high};
+    char why[128];
+    why_not(measured, why);
+    write_note(check->notes, id, measured.value);
+    if (*why)
+        add(check, id, statement, FAIL, bounds, measured, why);
+    else if (within(measured.value, low, high))
+        add(check, id, statement, PASS, bounds, measured, "");
+    else if (within(measured.value, seen_low, seen_high))
+        add(check, id, statement, DIFFERS, bounds, measured, reason);
+    else
+        add(check, id, statement, FAIL, bounds, measured, "outside [low, high]");
+}
+
+Table *claim_part(Check *check, const char *dir, const char *part)
+{
+    Table *t = part_read(dir, check->study->name, part, NULL);
+    if (t) return t;
+    snprintf(check->missing, sizeof check->missing, "%s.%s.csv", check->study->name, part);
+    return must(calloc(1, sizeof *t));
+}
+
+static void fail_all(Check *check, int from)
+{
+    for (Claim *c = check->list + from; c < check->list + check->n; c++) {
+        c->verdict = FAIL;
+        c->judged = false;
+        snprintf(c->reason, sizeof c->reason, "%s is not there or is no table", check->missing);
+    }
+}
+
+int check_study(Check *check, const Study *study, const char *dir, Fault *fault)
+{
+    const int before = check->n;
+    Table *rows = part_read(dir, study->name, NULL, fault);
+    if (!rows) return FAULT_MACHINE;
+    check->study = study;
+    check->missing[0] = '\0';
+    study->check(check, rows, dir);
+    table_free(rows);
+    if (check->missing[0]) fail_all(check, before);
+    if (check->n - before == study->claims) return 0;
+    return fault_set(fault, FAULT_MACHINE, "study %s: makes %d claims, declares %d", study->name,
+                     check->n - before, study->claims);
+}
+
+static void not_run(Check *check, const Study *study, const char *reason)
+{
+    const double bounds[] = {NAN, NAN};
+    char id[64];
+    snprintf(id, sizeof id, "%s.not-run", study->figure);
+    check->study = study;
+    add(check, id, study->about, NOT_RUN, bounds, measure(NAN, 0, 0), reason);
+}
+
+int check_all(Check *check, const char *dir, Fault *fault)
+{
+    for (const Study *const *s = studies; *s; s++) {
+        char reason[128];
+        if (!(*s)->check) continue;
+        if (!sidecar_is_current(*s, dir, reason))
+            not_run(check, *s, reason);
+        else if (check_study(check, *s, dir, fault))
+            return FAULT_MACHINE;
+    }
+    return 0;
+}
+
+static void number_cell(FILE *f, double x)
+{
+    char text[64] = "";
+    if (!isnan(x)) number_print(x, text);
+    fprintf(f, "%s,", text);
+}
+
+/* Whose statement it is: of which paper, our own, or about a hard case. */
+static const char *group_of(const Claim *c)
+{
+    static const char *const groups[][2] = {{"W07-", "W07"}, {"W11-", "W11"}, {"H", "hard"}};
+    for (size_t k = 0; k < sizeof groups / sizeof *groups; k++)
+        if (strncmp(c->id, groups[k][0], strlen(groups[k][0])) == 0) return groups[k][1];
+    return "own";
+}
+
+int claims_write(const Check *check, const char *dir, Fault *fault)
+{
+    char *path = text_of("%s/claims.csv", dir);
+    FILE *f = file_begin(path, fault);
+    if (f) fputs("id,figure,statement,measured,low,high,verdict,reason,source,group,rows\n", f);
+    for (const Claim *c = check->list; f && c < check->list + check->n; c++) {
+        csv_cell(f, c->id);
+        putc(',', f);
+        csv_cell(f, c->study->figure);
+        putc(',', f);
+        csv_cell(f, c->statement);
+        putc(',', f);
+        number_cell(f, c->measured);
+        number_cell(f, c->low);
+        number_cell(f, c->high);
+        fprintf(f, "%s,", verdict_name(c->verdict));
+        csv_cell(f, c->reason);
+        fprintf(f, ",,%s,%d\n", group_of(c), c->rows);
+    }
+    int code = f ? file_commit(f, path, fault) : FAULT_MACHINE;
+    free(path);
+    return code;
+}

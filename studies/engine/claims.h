@@ -1,0 +1,40 @@
+/* claims.h: what studies claim, judged on the tables on disk; claims.csv. */
+#ifndef MPMLAB_CLAIMS_H
+#define MPMLAB_CLAIMS_H
+
+#include "studies/study.h"
+
+typedef enum Verdict { PASS, FAIL, DIFFERS, NOT_RUN } Verdict;
+
+typedef struct Claim {
+    const Study *study;
+    char id[64], statement[256], reason[256];
+    double measured, low, high;
+    int rows;    /* of tables, that it stands on */
+    bool judged; /* all its rows were there: the verdict is about the number */
+    Verdict verdict;
+} Claim;
+
+/* Collects the claims of one study or of several, one after the other. */
+struct Check {
+    const Study *study; /* the one that is checking now */
+    char missing[192];  /* a table that its claims need and that is not there, or "" */
+    int n;
+    Claim *list;
+    FILE *notes; /* NAME.var, or NULL */
+};
+
+const char *verdict_name(Verdict v);
+
+/* Reads dir/NAME.csv back and runs the study's check on it, adding to check. 0 or a fault,
+ * which it also is if the study makes more or fewer claims than it declares. */
+int check_study(Check *check, const Study *study, const char *dir, Fault *fault);
+
+/* The claims of every study, NOT_RUN where its table is absent or is not what it asks for now.
+ * 0 or a fault; free check->list in any case. */
+int check_all(Check *check, const char *dir, Fault *fault);
+
+/* Writes dir/claims.csv. 0 or a fault. */
+int claims_write(const Check *check, const char *dir, Fault *fault);
+
+#endif

@@ -1,0 +1,169 @@
+/* journal.c: one record a line, "LENGTH CRC32 KEY<tab>ROW", appended whole; what does not check out
+ * is skipped byte by byte until a record does, so damage costs only the records it touched. */
+#include "journal.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+#include "studies/runs/memory.h"
+
+enum { HEAD = 18 }; /* "%08zu %08lx " */
+
+static unsigned long checksum(const char *text, size_t n)
+{
+    return crc32(0, (const unsigned char *)text, (unsigned)n);
+}
+
+/* Length of the record that starts at text (n bytes left), newline included; 0 if there is none. */
+static size_t record_at(const char *text, size_t n)
+{
+    if (n < HEAD || text[8] != ' ' || text[HEAD - 1] != ' ') return 0;
+    for (int k = 0; k < 8; k++)
+        if (!isdigit((unsigned char)text[k]) || !isxdigit((unsigned char)text[9 + k])) return 0;
+    size_t length = strtoul(text, NULL, 10);
+    if (length >= n - HEAD || text[HEAD + length] != '\n') return 0;
+    if (strtoul(text + 9, NULL, 16) != checksum(text + HEAD, length)) return 0;
+    const char *body = text + HEAD; /* one line of text, a tab behind the key */
+    if (memchr(body, '\n', length) || memchr(body, '\0', length)) return 0;
+    return memchr(body, '\t', length) ? HEAD + length + 1 : 0;
+}
+
+static int by_key(const void *a, const void *b)
+{
+    const Record *x = a, *y = b;
+    int order = strcmp(x->key, y->key);
+    return order ? order : (x->key > y->key) - (x->key < y->key); /* then by place in the file */
+}
+
+/* Finds the records in text, in place. Returns where the last one ends. */
+static size_t scan(Journal *j, size_t size)
+{
+    size_t end = 0, length;
+    j->n = 0;
+    for (size_t at = 0; at < size; at += length ? length : 1) {
+        length = record_at(j->text + at, size - at);
+        if (!length) continue;
+        end = at + length;
+        char *key = j->text + at + HEAD, *tab = strchr(key, '\t');
+        *tab = '\0';
+        j->text[end - 1] = '\0';
+        j->records = one_more(j->records, j->n, sizeof *j->records);
+        j->records[j->n++] = (Record){key, tab + 1};
+    }
+    return end;
+}
+
+/* Keeps the last of equal keys. */
+static void sort_unique(Journal *j)
+{
+    int n = 0;
+    if (j->n) qsort(j->records, (size_t)j->n, sizeof *j->records, by_key);
+    for (int k = 0; k < j->n; k++) {
+        if (n && strcmp(j->records[n - 1].key, j->records[k].key) == 0) n--;
+        j->records[n++] = j->records[k];
+    }
+    j->n = n;
+}
+
+static int machine(const char *path, Fault *fault)
+{
+    return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
+}
+
+int journal_reload(Journal *j, const char *path, Fault *fault)
+{
+    struct stat s;
+    if (fstat(j->fd, &s) != 0) return machine(path, fault);
+    size_t size = (size_t)s.st_size, n = 0;
+    free(j->text);
+    j->text = must(malloc(size + 1));
+    while (n < size) {
+        ssize_t got = pread(j->fd, j->text + n, size - n, (off_t)n);
+        if (got <= 0) return machine(path, fault);
+        n += (size_t)got;
+    }
+    j->text[size] = '\0';
+    size_t end = scan(j, size);
+    sort_unique(j);
+    if (end < size && ftruncate(j->fd, (off_t)end) != 0) return machine(path, fault);
+    return 0;
+}
+
+static int lock(int fd, const char *path)
+{
+    if (flock(fd, LOCK_EX | LOCK_NB) == 0) return 0;
+    if (errno != EWOULDBLOCK) return -1;
+    fprintf(stderr, "mpmlab: %s: waiting for the study that is writing it\n", path);
+    return flock(fd, LOCK_EX);
+}
+
+/* Is fd still the file of that name? Whoever held it before may have replaced it. */
+static int is_current(int fd, const char *path)
+{
+    struct stat ours, named;
+    return fstat(fd, &ours) == 0 && stat(path, &named) == 0 && ours.st_ino == named.st_ino &&
+           ours.st_dev == named.st_dev;
+}
+
+int journal_open(Journal *j, const char *path, Fault *fault)
+{
+    for (*j = (Journal){.fd = -1};;) {
+        j->fd = open(path, O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+        if (j->fd < 0 || lock(j->fd, path) != 0) break;
+        if (is_current(j->fd, path)) {
+            int code = journal_reload(j, path, fault);
+            if (code) journal_close(j);
+            return code;
+        }
+        close(j->fd);
+    }
+    int code = machine(path, fault);
+    journal_close(j);
+    return code;
+}
+
+const char *journal_row(const Journal *j, const char *key)
+{
+    for (int low = 0, high = j->n; low < high;) {
+        int middle = (low + high) / 2, order = strcmp(key, j->records[middle].key);
+        if (order == 0) return j->records[middle].row;
+        if (order < 0)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return NULL;
+}
+
+char *journal_line(const char *key, const char *row)
+{
+    char *body = text_of("%s\t%s", key, row);
+    size_t length = strlen(body);
+    char *line = text_of("%08zu %08lx %s\n", length, checksum(body, length), body);
+    free(body);
+    return line;
+}
+
+int journal_append(int fd, const char *key, const char *row)
+{
+    char *line = journal_line(key, row);
+    ssize_t whole = (ssize_t)strlen(line), done = write(fd, line, (size_t)whole);
+    int error = done < 0 ? errno : ENOSPC;
+    free(line);
+    return done == whole ? 0 : error;
+}
+
+void journal_close(Journal *j)
+{
+    if (j->fd >= 0) close(j->fd);
+    free(j->text);
+    free(j->records);
+    *j = (Journal){.fd = -1};
+}

@@ -1,0 +1,264 @@
+/* h_05_small_mass.c: a node that a body hardly touches: how small does it make the time step?
+ *
+ * A free bar (2D: square), two particles a cell and axis, in slow uniform motion with a weak
+ * oscillation (strains of 3e-8); its ends lie eps into fresh cells. That has three readings, since
+ * a node may be touched by the last particle itself (tents), by the edge of its box (GIMP, and the
+ * free surface of WLS), or by a spline's half cell more: the body is placed by each of the three,
+ * for every method. The critical step is found by bisection of the CFL number to 1 % (as far as
+ * steps of a whole number fill the time): a time of 40 h/c in which energy grows by less than 5 %.
+ * Where smaller steps fail again, the growth is one in time that large steps damp: the largest such
+ * step is noted, too. The uniform motion holds most of the energy, so that the start, when waves
+ * leave a velocity field that no grid resolves, cannot count as growth.
+ *
+ * Tents. The far node has m = rho (h/n) eps/h and stiffness E/(n h), so that M^-1 K has omega =
+ * c/sqrt(eps h) and a grid that kept its velocities would take 2/omega = 2 sqrt(eps h)/c. But the
+ * node's velocity is projected anew at each step from particles that hardly feel its force: the
+ * strain of the last cell obeys e <- (1 - (omega dt)^2) e, which is stable to sqrt(2)/omega only.
+ * NAME.omega.csv has 2/omega_max of M^-1 K (GSL) with the same weights and positions, beside the
+ * step that was found. */
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_eigen.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "studies/tables/ladder.h"
+#include "studies/runs/memory.h"
+#include "studies/tables/curves.h"
+#include "studies/tables/pairs.h"
+
+static const char name[] = "h_05_small_mass";
+enum { PER_CELL = 2, RUNGS = 8, DEPTHS = 6, EDGES = 3, DIMS = 2 };
+static const double rungs[RUNGS] = {0.0095, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6};
+static const double depths[DEPTHS] = {0.1, 0.03, 0.01, 0.003, 0.001, 1e-4}; /* eps/h */
+
+/* What lies eps beyond a node, by its distance from the last particle in cells. */
+static const struct {
+    const char *name;
+    double beyond;
+} edges[EDGES] = {{"particle", 0}, {"box", 0.5 / (double)PER_CELL}, {"spline", 0.5}};
+
+/* The block by dimension; speeds of its P waves, which limit the step, and in its dt0 [m/s]. */
+static const struct {
+    const Engine *engine;
+    int cells, ppc;
+    unsigned depths; /* bit k: depths[k] */
+    double fastest, c;
+} scenes[DIMS] = {{&engine_1d, 10, PER_CELL, 63, 100, 100},
+                  {&engine_2d, 4, PER_CELL *PER_CELL, 4 | 32, 116.02387, 100}};
+
+/* Where the last particle is [cells beyond a node]. */
+static double place(int edge, int depth)
+{
+    return depths[depth] - edges[edge].beyond;
+}
+
+/* How far the block, whose end is on a node at first, is moved for that [cells]. */
+static double offset(int edge, int depth)
+{
+    return place(edge, depth) + 0.5 / (double)PER_CELL;
+}
+
+static void add_ladder(Cases *list, int dim, const char *method, int e, int d)
+{
+    char second[64] = "";
+    if (dim > 0) snprintf(second, sizeof second, " --set offset_y=%.10g", offset(e, d));
+    for (int k = 0; k < RUNGS; k++)
+        case_add(list,
+                 "run block --method %s --integrator cd --cells %d --ppc %d --cfl %g --t-end %g "
+                 "--set dim=%d --set offset_x=%.10g%s --set stop_growth=1 --set stretch=1.00000003 "
+                 "--set drift_x=1.6e-7",
+                 method, scenes[dim].cells, scenes[dim].ppc, rungs[k],
+                 40 / (scenes[dim].cells * scenes[dim].c), dim + 1, offset(e, d), second);
+}
+
+static void cases(Cases *list, bool quick)
+{
+    for (int dim = 0; dim < (quick ? 1 : DIMS); dim++)
+        for (const Info *const *m = scenes[dim].engine->methods; *m; m++)
+            for (int e = 0; e < EDGES; e++)
+                for (int d = 0; d < DEPTHS; d++)
+                    if (scenes[dim].depths >> d & 1 && !(quick && d != 2))
+                        add_ladder(list, dim, (*m)->name, e, d);
+}
+
+/* The window of stable runs about the largest one: *low, *high are its ends among the rungs. False
+ * if no run is stable. */
+static bool window(const Ladder *l, int *low, int *high)
+{
+    *high = l->n - 1;
+    while (*high >= 0 && l->grade[*high] != STABLE) *high -= 1;
+    *low = *high;
+    while (*low > 0 && l->grade[*low - 1] == STABLE) *low -= 1;
+    return *high >= 0;
+}
+
+static void refine(Cases *list, const Table *rows, bool quick)
+{
+    Ladder *ladders;
+    const int n = ladders_read(rows, &ladders);
+    const double relative = quick ? 0.2 : 0.01;
+    for (const Ladder *l = ladders; l < ladders + n; l++) {
+        int low, high;
+        if (!window(l, &low, &high)) continue;
+        if (high < l->n - 1) ladder_split(list, rows, l, high, relative, 0);
+        if (low > 0) ladder_split(list, rows, l, low - 1, 10 * relative, 0);
+    }
+    free(ladders);
+}
+
+static void write_point(FILE *f, const Table *rows, const Ladder *l)
+{
+    const double moved = row_param(rows, l->row[0], "offset_x");
+    const int dim = row_param(rows, l->row[0], "dim") > 1;
+    int low, high, e = 0, d = 0;
+    for (int k = 0; k < EDGES * DEPTHS; k++)
+        if (fabs(offset(k / DEPTHS, k % DEPTHS) - moved) < 1e-9) e = k / DEPTHS, d = k % DEPTHS;
+    const bool some = window(l, &low, &high);
+    const double scale = scenes[dim].fastest * scenes[dim].cells;
+    fprintf(f, "%d,%s,%s,%d,%g,%.6g,%.6g\n", dim + 1, table_text(rows, l->row[0], "method"),
+            edges[e].name, e, depths[d], some ? scale * table_number(rows, l->row[high], "dt") : 0,
+            some && low > 0 ? scale * table_number(rows, l->row[low - 1], "dt") : 0);
+}
+
+enum { CELLS = 10, NODES = CELLS + 8, COUNT = CELLS * PER_CELL };
+
+/* Lumped masses and stiffness, in units of rho h and E/h, of particles as in the runs. */
+static void assemble(const char *method, double x, double m[NODES], gsl_matrix *K)
+{
+    gsl_vector *G = gsl_vector_calloc(NODES);
+    for (int p = 0; p < COUNT; p++) {
+        for (size_t i = 0; i < NODES; i++) {
+            const double end = CELLS + 4 + x; /* of the last particle, from node 0 */
+            double S = 0, slope = 0;
+            engine_1d.weight(method, end - (double)p / (double)PER_CELL - (double)i,
+                             0.5 / (double)PER_CELL, &S, &slope);
+            m[i] += S / (double)PER_CELL;
+            gsl_vector_set(G, i, slope);
+        }
+        gsl_blas_dger(1 / (double)PER_CELL, G, G, K);
+    }
+    gsl_vector_free(G);
+}
+
+/* 2/omega_max [h/c], omega^2 the eigenvalues of M^-1/2 K M^-1/2. */
+static double two_over_omega(const char *method, double x)
+{
+    double m[NODES] = {0};
+    gsl_matrix *A = gsl_matrix_calloc(NODES, NODES);
+    gsl_vector *squares = gsl_vector_alloc(NODES);
+    gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(NODES);
+    assemble(method, x, m, A);
+    for (size_t i = 0; i < NODES; i++)
+        for (size_t j = 0; j < NODES; j++) {
+            double *a = gsl_matrix_ptr(A, i, j);
+            *a = m[i] > 1e-14 && m[j] > 1e-14 ? *a / sqrt(m[i] * m[j]) : 0;
+        }
+    gsl_eigen_symm(A, squares, work);
+    const double largest = gsl_vector_max(squares);
+    gsl_eigen_symm_free(work);
+    gsl_vector_free(squares);
+    gsl_matrix_free(A);
+    return 2 / sqrt(largest);
+}
+
+static int write_points(const char *dir, Fault *fault)
+{
+    char path[PATH_TEXT];
+    Ladder *ladders = NULL;
+    Table *rows = part_read(dir, name, NULL, fault);
+    part_path(path, dir, name, "points");
+    const int n = rows ? ladders_read(rows, &ladders) : 0;
+    FILE *f = rows ? file_begin(path, fault) : NULL;
+    if (f) fputs("dim,method,edge,place,depth,critical,grows_below\n", f);
+    for (int k = 0; f && k < n; k++) write_point(f, rows, &ladders[k]);
+    free(ladders);
+    table_free(rows);
+    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+}
+
+static int write_omega(const char *dir, Fault *fault)
+{
+    char path[PATH_TEXT];
+    part_path(path, dir, name, "omega");
+    FILE *f = file_begin(path, fault);
+    if (f) fputs("dim,method,edge,place,depth,two_over_omega\n", f);
+    for (const Info *const *m = engine_1d.methods; f && *m; m++)
+        for (int e = 0; e < EDGES; e++)
+            for (int d = 0; d < DEPTHS; d++)
+                fprintf(f, "1,%s,%s,%d,%g,%.6g\n", (*m)->name, edges[e].name, e, depths[d],
+                        two_over_omega((*m)->name, place(e, d)));
+    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+}
+
+static int tables(const char *dir, bool quick, Fault *fault)
+{
+    (void)quick;
+    const int code = write_points(dir, fault);
+    return code ? code : write_omega(dir, fault);
+}
+
+/* Largest |step/(factor sqrt(eps/h)) - 1|. */
+static Measure off_root(const Table *t, const char *what, int dim, const char *method,
+                        double factor)
+{
+    Curve curve;
+    Measure worst = largest_of(0);
+    for (int d = 0; d < DEPTHS; d++) worst.needs += (scenes[dim - 1].depths >> d & 1) != 0;
+    curve_pick(&curve, t, "depth", what, "dim=%d method=%s edge=particle", dim, method);
+    for (int k = 0; k < curve.n; k++)
+        add_largest(&worst, fabs(curve.y[k] / (factor * sqrt(curve.x[k])) - 1));
+    return worst;
+}
+
+/* Of a method in 1D, over all places. */
+static Measure smallest(const Table *t, const char *what, const char *method)
+{
+    Curve curve;
+    Measure out = least_of(EDGES * DEPTHS);
+    curve_pick(&curve, t, "depth", what, "dim=1 method=%s", method);
+    for (int k = 0; k < curve.n; k++) add_least(&out, curve.y[k]);
+    return out;
+}
+
+static void check(Check *check, const Table *rows, const char *dir)
+{
+    static const char forgets[] =
+        "2/omega is what a grid that keeps its velocities allows; a node that is projected anew "
+        "each step forgets its own, and its limit is 1/sqrt(2) of that";
+    Table *points = claim_part(check, dir, "points"), *omega = claim_part(check, dir, "omega");
+    (void)rows;
+    claim(check, "H5.tent-omega", "tents: 2/omega_max is 2 sqrt(eps/h) h/c: largest deviation",
+          off_root(omega, "two_over_omega", 1, "mpm", 2), 0, 0.1);
+    claim_differs(check, "H5.tent", "the critical step of tents is that, too",
+                  off_root(points, "critical", 1, "mpm", 2), 0, 0.1, 0.25, 0.35, forgets);
+    claim(check, "H5.tent-sqrt2", "it is sqrt(2 eps/h) h/c: largest deviation",
+          off_root(points, "critical", 1, "mpm", M_SQRT2), 0, 0.1);
+    claim(check, "H5.tent-plane", "and nearly so in 2D, of P waves (own measurement)",
+          off_root(points, "critical", 2, "mpm", M_SQRT2), 0, 0.1);
+    claim(check, "H5.ge-tent",
+          "with gradient enhancement, which hands the node its velocity back, it is 2 "
+          "sqrt(eps/h)",
+          off_root(points, "critical", 1, "ge_mpm", 2), 0, 0.1);
+    claim(check, "H5.gimp-omega", "GIMP's 2/omega_max has a floor",
+          smallest(omega, "two_over_omega", "gimp"), 0.76, 0.84);
+    claim_differs(check, "H5.gimp", "and so its critical step [h/c]",
+                  smallest(points, "critical", "gimp"), 0.76, 0.84, 0.56, 0.76, forgets);
+    claim(check, "H5.bspline-omega", "B-splines' 2/omega_max has a higher one",
+          smallest(omega, "two_over_omega", "bspline"), 0.9, 1);
+    claim_differs(check, "H5.bspline", "and so their critical step [h/c]",
+                  smallest(points, "critical", "bspline"), 0.9, 1, 0.66, 0.9, forgets);
+    table_free(points);
+    table_free(omega);
+}
+
+const Study study_h_05_small_mass = {
+    .name = name,
+    .figure = "H5",
+    .about =
+        "a node that a body hardly touches: critical time step against how far it is into the cell",
+    .cases = cases,
+    .refine = refine,
+    .tables = tables,
+    .check = check,
+    .claims = 9,
+};

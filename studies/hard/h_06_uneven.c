@@ -1,0 +1,164 @@
+/* h_06_uneven.c: hard cases H6 and H7: particles that are uneven, or few.
+ *
+ * H6: a linear velocity field is projected from a lattice, two particles per axis and cell, that is
+ * jittered by up to half its spacing, or graded to a third of its density and back; errors of nodes
+ * two cells inside. (Cells are square here, always.)
+ *
+ * H7: the sine bar and the standing waves of axis_mms with half a particle per axis and cell, three
+ * quarters, one, one and a half, and two; a method has enough where its error is below a tenth of
+ * the amplitude. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "studies/tables/grades.h"
+
+#define USABLE 0.1 /* error over amplitude */
+
+static const char name[] = "h_06_uneven";
+enum { JITTERS = 6, FEW = 5, SCENES = 2, CELLS = 32 };
+static const double jitters[JITTERS] = {0, 0.1, 0.2, 0.3, 0.4, 0.5};
+static const double few[FEW] = {0.5, 0.75, 1, 1.5, 2}; /* per axis */
+static const char *const gradings[2] = {"1", "2"};
+static const struct {
+    const char *problem, *settings;
+    const Engine *engine;
+} scenes[SCENES] = {{"sine_bar", "", &engine_1d}, {"axis_mms", " --set layout=radial", &engine_2d}};
+
+static void cases(Cases *list, bool quick)
+{
+    for (const Info *const *m = engine_2d.methods; *m; m++)
+        for (int g = 0; g < 2 && has_grid(&engine_2d, (*m)->name); g++)
+            for (int k = 0; k < JITTERS; k += quick ? 5 : 1)
+                case_add(list, "run patch --method %s --cells %d --set jitter=%g --set grading=%s",
+                         (*m)->name, CELLS, jitters[k], gradings[g]);
+    for (int s = 0; s < SCENES; s++)
+        for (const Info *const *m = scenes[s].engine->methods; *m; m++)
+            for (int k = quick ? FEW - 1 : 0; k < FEW && has_grid(scenes[s].engine, (*m)->name);
+                 k++)
+                case_add(list, "run %s --method %s --cells %d --ppc %.17g%s", scenes[s].problem,
+                         (*m)->name, CELLS, pow(few[k], scenes[s].engine->dim), scenes[s].settings);
+}
+
+/* The number of a setting ("jitter") in a row's parameters; NAN if it has none. */
+static double setting(const Table *rows, int row, const char *key)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%s=", key);
+    const char *at = strstr(table_text(rows, row, "params"), text);
+    return at ? strtod(at + strlen(text), NULL) : NAN;
+}
+
+/* NAME.points.csv: case,problem,method,grading,x,error,status,fallbacks: x is the jitter, or the
+ * particles per axis and cell. */
+static void write_points(FILE *f, const Table *rows)
+{
+    fputs("case,problem,method,grading,x,error,status,fallbacks\n", f);
+    for (int row = 0; row < rows->nrow; row++) {
+        const double jitter = setting(rows, row, "jitter"), ppc = table_number(rows, row, "ppc");
+        const int dim = strcmp(table_text(rows, row, "problem"), scenes[0].problem) == 0 ? 1 : 2;
+        fprintf(f, "%s,%s,%s,", isnan(jitter) ? "H7" : "H6", table_text(rows, row, "problem"),
+                table_text(rows, row, "method"));
+        if (isnan(jitter))
+            fprintf(f, ",%.4g,", round(pow(ppc, 1.0 / dim) * 4) / 4);
+        else
+            fprintf(f, "%g,%g,", setting(rows, row, "grading"), jitter);
+        fprintf(f, "%s,%s,%s\n", table_text(rows, row, "error_linf"),
+                is_lost(rows, row) ? table_text(rows, row, "status") : "ok",
+                table_text(rows, row, "fallbacks"));
+    }
+}
+
+/* Error over the amplitude at few particles per axis; INFINITY if the run was lost. */
+static Measure few_error(const Table *t, int scene, const char *method, double per_axis)
+{
+    static const char where[] = "case=H7 problem=%s method=%s x=%g";
+    const char *problem = scenes[scene].problem;
+    const Measure there = ended_pick(t, "x", where, problem, method, per_axis);
+    const Measure error = value_pick(t, "error", where, problem, method, per_axis);
+    if (error.rows || !there.rows) return error;
+    const Measure ok = ended_pick(t, "x", "case=H7 problem=%s method=%s x=%g status=ok", problem,
+                                  method, per_axis);
+    return with_value(there, ok.rows ? NAN : INFINITY);
+}
+
+/* The fewest particles per axis from which on both scenes' errors stay below a tenth of the
+ * amplitude; INFINITY if two are not enough. */
+static double fewest(const Table *t, const char *method)
+{
+    double least = INFINITY;
+    for (int k = FEW - 1; k >= 0; k--) {
+        if (!(worse(few_error(t, 0, method, few[k]).value, few_error(t, 1, method, few[k]).value) <
+              USABLE))
+            break;
+        least = few[k];
+    }
+    return least;
+}
+
+static void write_marks(FILE *f, const Table *t)
+{
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
+        const char *method = (*m)->name;
+        const double e = worst_of(t, method, 1, "error", "case=H6").value;
+        const double least = fewest(t, method);
+        if (!has_grid(&engine_2d, method)) continue;
+        mark_add(f, "H6", method, mark_of(e, 1e-12, 1),
+                 e <= 1e-12 ? "linear fields exact from any particles"
+                            : "a linear field off by up to %.2g from jittered, graded particles",
+                 e);
+        mark_add(f, "H7", method,
+                 least <= 0.5   ? MARK_OK
+                 : least <= 1.5 ? MARK_WEAK
+                                : MARK_LOST,
+                 isinf(least) ? "two particles per axis are not enough for an error below a tenth"
+                              : "needs %.2g particles per axis for an error below a tenth",
+                 least);
+    }
+}
+
+static int tables(const char *dir, bool quick, Fault *fault)
+{
+    (void)quick;
+    return hard_tables(dir, name, "points", write_points, write_marks, fault);
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    Table *t = claim_part(c, dir, "points");
+    Measure lost = sum_of(4);
+    (void)rows;
+    claim(c, "H6.exact", "GE, APIC, TPIC, WLS: a linear field from any particles, largest error",
+          worst_of(t, "ge_mpm ge_gimp apic tpic wls wls2", 2 * JITTERS, "error", "case=H6"), 0,
+          1e-12);
+    claim(c, "H6.tent", "tents are worst: error of MPM over GIMP's, jitter 0.5",
+          over(value_pick(t, "error", "case=H6 method=mpm x=0.5 grading=1"),
+               value_pick(t, "error", "case=H6 method=gimp x=0.5 grading=1")),
+          1, 5);
+    claim(c, "H7.tent", "tents with half a particle per cell have empty nodes: error of the bar",
+          few_error(t, 0, "mpm", 0.5), USABLE, 10);
+    claim(c, "H7.gimp", "GIMP, whose boxes reach beyond h/2, has none: error of the bar",
+          few_error(t, 0, "gimp", 0.5), 0, USABLE);
+    claim(c, "H7.plane", "but half a particle per axis is too few for it in the plane: error there",
+          few_error(t, 1, "gimp", 0.5), USABLE, 10);
+    for (int m = 0; m < 2; m++)
+        for (int k = 0; k < 2; k++) {
+            const double e = few_error(t, 1, m ? "wls2" : "wls", few[k]).value;
+            add_sum(&lost, isnan(e) ? NAN : isinf(e));
+        }
+    claim(c, "H7.wls",
+          "WLS needs three particles in a support: runs lost in the plane below one, of 4", lost, 4,
+          4);
+    claim(c, "H7.wls-one", "and falls back with one (W11 eq 14): fallbacks of WLS in the plane",
+          value_pick(t, "fallbacks", "case=H7 problem=axis_mms method=wls x=1"), 1, 1e6);
+    table_free(t);
+}
+
+const Study study_h_06_uneven = {
+    .name = name,
+    .figure = "H6",
+    .about = "uneven particles, and few of them: projection of a linear field, two waves",
+    .cases = cases,
+    .tables = tables,
+    .check = check,
+    .claims = 7,
+};

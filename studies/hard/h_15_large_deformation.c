@@ -1,0 +1,277 @@
+/* h_15_large_deformation.c: hard case H15: which method survives large shear and rotation, and
+ * large stretch, and what the choice of particle boxes buys.
+ *
+ * Generalized vortex, fitted particles, CFL .1 (a shear of 6 thins the material to a sixth, so that
+ * the scene's own CFL is too large for all): error against N at G = .5, and against G at N = 24.
+ * Hanging bar, N = 16, CFL .1: how the run ends, and the bar's length at t = .045 s, before most
+ * are lost. Every method and FEM; those whose stencils follow the particles' boxes once for each
+ * rule of half widths.
+ *
+ * At full amplitude, G = 1, boxes that follow F_xx or the stretch U grow to several cells and
+ * overlap under shear; boxes that stay as they were, B-splines and affine transfers live. */
+#include <math.h>
+#include <string.h>
+#include "studies/tables/files.h"
+
+enum { RULES = 3, TURNS = 4, MESHES = 4, FINE = 24 };
+static const char name[] = "h_15_large_deformation";
+static const char *const rules[RULES] = {"fxx", "stretch", "undeformed"};
+static const double turns[TURNS] = {0.1, 0.25, 0.5, 1};
+static const int meshes[MESHES] = {8, 12, 16, 24};
+static const double bar_top = 4, bar_end = 0.045; /* [m] [s] */
+
+/* Does the method run with boxes by this rule? The first is every method's default. */
+static bool takes(const char *method, int rule)
+{
+    RunSpec spec = {0};
+    char setting[64];
+    snprintf(spec.problem, sizeof spec.problem, "vortex");
+    snprintf(spec.method, sizeof spec.method, "%s", method);
+    snprintf(setting, sizeof setting, "domain=%s", rules[rule]);
+    return rule == 0 ||
+           (spec_set(&spec, setting, NULL) == 0 && engine_2d.resolve(&spec, NULL) == 0);
+}
+
+static void vortex_add(Cases *list, const char *method, int rule, int cells, double G)
+{
+    double S, Gx;
+    const bool particles = engine_2d.weight(method, 0, 0.25, &S, &Gx) == 0;
+    case_add(list, "run vortex --method %s --cells %d --cfl .1 --set G=%g%s --set domain=%s",
+             method, cells, G, particles ? " --set layout=radial" : "", rules[rule]);
+}
+
+static void part_name(char part[64], const char *method, int rule)
+{
+    snprintf(part, 64, "bar.%s.%s", method, rules[rule]);
+}
+
+static void bar_add(Cases *list, const char *method, int rule)
+{
+    char part[64], file[128];
+    part_name(part, method, rule);
+    snprintf(file, sizeof file, "%s.%s.csv", name, part);
+    case_add(list, "run hanging_bar --method %s --cfl .1 --set domain=%s", method, rules[rule]);
+    case_add_with(list, "particles", file,
+                  "run hanging_bar --method %s --cfl .1 --t-end %g --set domain=%s", method,
+                  bar_end, rules[rule]);
+}
+
+static void cases(Cases *list, bool quick)
+{
+    for (const Info *const *m = engine_2d.methods; *m; m++)
+        for (int rule = 0; rule < RULES; rule++) {
+            if (!takes((*m)->name, rule)) continue;
+            for (int k = 0; k < (quick ? 2 : MESHES); k++)
+                vortex_add(list, (*m)->name, rule, meshes[k], 0.5);
+            for (int k = 0; k < TURNS; k++)
+                if (turns[k] < 0.5 || turns[k] > 0.5)
+                    vortex_add(list, (*m)->name, rule, quick ? 8 : FINE, turns[k]);
+            bar_add(list, (*m)->name, rule);
+        }
+}
+
+static int rule_of(const Table *rows, int row)
+{
+    const char *params = table_text(rows, row, "params");
+    for (int rule = RULES - 1; rule > 0; rule--)
+        if (strstr(params, rules[rule])) return rule;
+    return 0;
+}
+
+/* How many times as long the bar is: mean over the points of its lowest layer. NAN: no file. */
+static double stretch_of(const Files *files, const char *method, int rule)
+{
+    char part[64];
+    part_name(part, method, rule);
+    Table *t = file_read(files, part);
+    double lowest = INFINITY, total = 0;
+    int n = 0;
+    for (int pass = 0; t && pass < 2; pass++)
+        for (int k = 0; k < t->nrow; k++) {
+            const double Y = table_number(t, k, "Y");
+            if (!(table_number(t, k, "mass") > 0)) continue;
+            if (pass == 0) lowest = lesser(lowest, Y);
+            if (pass == 0 || Y > lowest + 1e-9) continue;
+            total += (bar_top - table_number(t, k, "y")) / (bar_top - Y);
+            n++;
+        }
+    table_free(t);
+    return n ? total / n : NAN;
+}
+
+/* Error: 0: no worse than .03, 1: .1, 2: more, 3: lost; the bar: 0 or 3. */
+static int grade(const Table *rows, int row, bool bar)
+{
+    const double error = table_number(rows, row, "error_linf");
+    if (is_lost(rows, row) || (!bar && isnan(error))) return 3;
+    return bar || error <= 0.03 ? 0 : error <= 0.1 ? 1 : 2;
+}
+
+static void write_end(FILE *f, const Table *rows, int row, bool bar)
+{
+    const double end = table_number(rows, row, "steps") * table_number(rows, row, "dt");
+    if (grade(rows, row, bar) == 3)
+        fprintf(f, "lost %.*f s", bar ? 3 : 2, end);
+    else if (bar)
+        fputs("ok", f);
+    else
+        fprintf(f, "%.3f", table_number(rows, row, "error_linf"));
+}
+
+/* Column of the grid that a row fills, or -1. */
+static int column_of(const Table *rows, int row, bool quick)
+{
+    const bool bar = strcmp(table_text(rows, row, "problem"), "hanging_bar") == 0;
+    if (bar) return table_number(rows, row, "t_end") > 2 * bar_end ? TURNS : -1;
+    for (int k = 0; k < TURNS; k++)
+        if (fabs(row_setting(rows, row, "G") - turns[k]) < 1e-12 &&
+            (quick || fabs(table_number(rows, row, "cells") - (double)FINE) < 0.5))
+            return k;
+    return -1;
+}
+
+static void write_grid(FILE *f, const Files *files, bool quick)
+{
+    const Table *rows = files->rows;
+    fputs("method,rule,column,line,grade,text,stretch\n", f);
+    int line = -1;
+    for (int row = 0; row < rows->nrow; row++) {
+        const char *method = table_text(rows, row, "method");
+        const int rule = rule_of(rows, row), column = column_of(rows, row, quick);
+        if (row == 0 || strcmp(method, table_text(rows, row - 1, "method")) != 0 ||
+            rule != rule_of(rows, row - 1))
+            line++;
+        if (column < 0) continue;
+        fprintf(f, "%s,%s,%d,%d,%d,", method, rules[rule], column, line,
+                grade(rows, row, column == TURNS));
+        write_end(f, rows, row, column == TURNS);
+        if (column == TURNS)
+            fprintf(f, ",%.5g\n", stretch_of(files, method, rule));
+        else
+            fputs(",\n", f);
+    }
+}
+
+/* Errors against N at G = .5, runs that reached the end. */
+static void write_errors(FILE *f, const Table *rows)
+{
+    fputs("method,rule,cells,error,status\n", f);
+    for (int row = 0; row < rows->nrow; row++)
+        if (fabs(row_setting(rows, row, "G") - 0.5) < 1e-12)
+            fprintf(f, "%s,%s,%g,%.10g,%s\n", table_text(rows, row, "method"),
+                    rules[rule_of(rows, row)], table_number(rows, row, "cells"),
+                    table_number(rows, row, "error_linf"), is_lost(rows, row) ? "lost" : "ok");
+}
+
+static int tables(const char *dir, bool quick, Fault *fault)
+{
+    char path[PATH_TEXT];
+    Files files;
+    files_open(&files, dir, name);
+    int code = files.rows ? 0 : fault_set(fault, FAULT_MACHINE, "%s/%s.csv is gone", dir, name);
+    for (int k = 0; k < 2 && !code; k++) {
+        part_path(path, dir, name, k ? "errors" : "grid");
+        FILE *f = file_begin(path, fault);
+        if (f && k) write_errors(f, files.rows);
+        if (f && !k) write_grid(f, &files, quick);
+        code = f ? file_commit(f, path, fault) : FAULT_MACHINE;
+    }
+    files_close(&files);
+    return code;
+}
+
+static Measure error(const Table *t, const char *method, const char *rule, int cells)
+{
+    return value_pick(t, "error", "method=%s rule=%s cells=%d", method, rule, cells);
+}
+
+/* The error in a column of the grid, of a run that was not lost. */
+static Measure error_at(const Table *grid, const char *method, const char *rule, int column)
+{
+    static const char where[] = "method=%s rule=%s column=%d";
+    if (!(value_pick(grid, "grade", where, method, rule, column).value <= 2))
+        return measure(NAN, 0, 1);
+    return value_pick(grid, "text", where, method, rule, column);
+}
+
+/* How many of the named are lost in a column of the grid (3: the vortex at G = 1; 4: the bar). */
+static Measure lost(const Table *grid, const char *methods, const char *rule, int column)
+{
+    char list[128], *rest = list;
+    Measure n = sum_of(0);
+    snprintf(list, sizeof list, "%s", methods);
+    for (char *m; (m = strtok_r(rest, " ", &rest));) {
+        const Measure grade =
+            value_pick(grid, "grade", "method=%s rule=%s column=%d", m, rule, column);
+        n = sum(n, with_value(grade, grade.value > 2));
+    }
+    return n;
+}
+
+static void check_vortex(Check *c, const Table *e, const Table *grid)
+{
+    enum { FULL = TURNS - 1 };
+    const Measure fem = over(error(e, "fem", "fxx", 8), error(e, "fem", "fxx", 24));
+    claim(c, "H-15.vortex-fem", "vortex, G = .5: FEM is of second order: order from N = 8 to 24",
+          with_value(fem, log(fem.value) / log(3)), 1.8, 2.2);
+    claim(c, "H-15.vortex-gimp", "full vortex: of GIMP and GE-GIMP with l = l0 F_xx are lost",
+          lost(grid, "gimp ge_gimp", "fxx", FULL), 2, 2);
+    claim_differs(c, "H-15.vortex-stretch",
+                  "and with half widths that follow the stretch U (convected domains) none",
+                  lost(grid, "gimp ge_gimp", "stretch", FULL), 0, 0, 1, 2,
+                  "boxes as wide as U is long overlap under shear; what helps is to leave them "
+                  "undeformed");
+    claim(c, "H-15.vortex-undeformed",
+          "GIMP with boxes that stay as they were lives: its error over that of B-splines",
+          over(error_at(grid, "gimp", "undeformed", FULL), error_at(grid, "bspline", "fxx", FULL)),
+          0, 1.5);
+    claim(c, "H-15.vortex-stretch-gain",
+          "G = .5, N = 24: GIMP's error with U over that with F_xx: U buys some",
+          over(error(e, "gimp", "stretch", FINE), error(e, "gimp", "fxx", FINE)), 0, 0.95);
+    claim(c, "H-15.vortex-fixed-functions",
+          "full vortex: of B-splines, APIC and TPIC, whose functions do not follow F, are lost",
+          lost(grid, "bspline apic tpic", "fxx", FULL), 0, 0);
+    claim_differs(c, "H-15.vortex-wls", "full vortex: of WLS and WLS2 are lost",
+                  lost(grid, "wls wls2", "fxx", FULL), 0, 0, 1, 2,
+                  "surface particles invert near t = .5, at the largest shear");
+}
+
+static void check_bar(Check *c, const Table *grid)
+{
+    claim(c, "H-15.bar-fem", "hanging bar: FEM keeps it; lost", lost(grid, "fem", "fxx", TURNS), 0,
+          0);
+    claim(c, "H-15.bar-gimp", "GIMP tears it at its clamp; lost", lost(grid, "gimp", "fxx", TURNS),
+          1, 1);
+    claim_differs(
+        c, "H-15.bar-stretch", "half widths that follow the stretch do not tear; lost",
+        lost(grid, "gimp", "stretch", TURNS), 0, 0, 1, 1,
+        "F at the clamp is wrong before boxes could bridge the gap: all rules tear there");
+    claim_differs(c, "H-15.bar-wls", "nor do WLS and WLS2; lost",
+                  lost(grid, "wls wls2", "fxx", TURNS), 0, 0, 1, 2,
+                  "particles at the corners of the clamp invert before t = .06");
+    claim(c, "H-15.bar-agrees",
+          "before that all agree: GIMP's length of the bar at t = .045 s over FEM's",
+          over(value_pick(grid, "stretch", "method=gimp rule=fxx column=4"),
+               value_pick(grid, "stretch", "method=fem rule=fxx column=4")),
+          0.97, 1.03);
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    Table *e = claim_part(c, dir, "errors"), *grid = claim_part(c, dir, "grid");
+    (void)rows;
+    check_vortex(c, e, grid);
+    check_bar(c, grid);
+    table_free(grid);
+    table_free(e);
+}
+
+const Study study_h_15_large_deformation = {
+    .name = name,
+    .figure = "H-15",
+    .about = "large shear, rotation and stretch: who survives, and which particle boxes help",
+    .cases = cases,
+    .tables = tables,
+    .check = check,
+    .claims = 12,
+};

@@ -1,0 +1,296 @@
+/* t_01_ge_wls.c: gradient-enhanced WLS taken apart and doubted: what each part buys, one removed at
+ * a time, on ring, axis_mms, plate and disk; then whole rings off the grid lines, long times,
+ * denser particles and many time steps, beside FEM at equal mesh size. The parts were chosen on one
+ * ring; the other scenes show what of that is luck. Errors as in the rows; CFL .3 on the ring. */
+#include <gsl/gsl_statistics_double.h>
+#include <math.h>
+#include <string.h>
+#include "studies/tables/files.h"
+#include "studies/tables/hole.h"
+
+static const char name[] = "t_01_ge_wls";
+
+/* The parts in the order in which rows spell them, and what stands there without them. */
+enum { DISTANCE, HERMITE, MASS, RETURN, PARTS };
+static const struct {
+    const char *setting, *with, *without;
+} parts[PARTS] = {[DISTANCE] = {"distance", "curved", "normals"},
+                  [HERMITE] = {"hermite", "2", "0"},
+                  [MASS] = {"mass", "corrected", "lumped"},
+                  [RETURN] = {"return", "spline", "linear"}};
+
+enum { RUNS = 82, INSTANTS = 300, RIM = 30 }; /* of ge_wls; of a history; along the hole */
+enum { MESHES = 9, COARSE = 7, OFFSETS = 10, STEPS = 6, TIMES = 2 };
+static const int cells[MESHES] = {8, 11, 16, 23, 32, 45, 64, 91, 128};
+static const double cfl[STEPS] = {0.05, 0.1, 0.2, 0.4, 0.6, 0.8};
+static const double t_end[TIMES] = {0.08, 0.4}; /* 4 and 20 periods */
+static const double late = 4;                   /* [s] the disk's second impact is over */
+static const char *const rivals[] = {"ge_wls", "wls2", "fem"};
+enum { RIVALS = sizeof rivals / sizeof *rivals };
+
+/* Numbers k/golden ratio: as even as random ones can be, and the same for ever. */
+static double spread(int k, double ratio)
+{
+    return fmod(k * ratio, 1);
+}
+
+static void add_parts(Cases *list, bool quick)
+{
+    char file[64], set[64];
+    for (int part = -1; part < PARTS; part++) {
+        if (part < 0)
+            *set = 0;
+        else
+            snprintf(set, sizeof set, " --set %s=%s", parts[part].setting, parts[part].without);
+        for (int k = 0; k < (quick ? 2 : COARSE); k++)
+            if (part >= 0) case_add(list, "run ring --method ge_wls --cells %d%s", cells[k], set);
+        for (int n = 16; part >= 0 && n <= (quick ? 16 : 32); n *= 2)
+            case_add(list, "run axis_mms --method ge_wls --cells %d%s", n, set);
+        snprintf(file, sizeof file, "%s.plate.%d.csv", name, part);
+        case_add_with(list, "samples", file, "run hole_plate --method ge_wls --cells %d%s",
+                      quick ? 8 : 32, set);
+        snprintf(file, sizeof file, "%s.disk.%d.csv", name, part);
+        case_add_with(list, "history", file,
+                      "run disk_impact --method ge_wls --cells %d --t-end "
+                      "%g%s",
+                      quick ? 12 : 48, late, set);
+    }
+}
+
+static void add_rivals(Cases *list, const char *method, bool quick)
+{
+    for (int k = 0; k < (quick ? 2 : MESHES); k++)
+        case_add(list, "run ring --method %s --cells %d", method, cells[k]);
+    for (int n = 16; n <= (quick ? 16 : 32); n *= 2) {
+        case_add(list, "run axis_mms --method %s --cells %d", method, n);
+        case_add(list, "run vortex --method %s --cells %d --set G=0.2 --cfl 0.1", method, n);
+    }
+    for (int k = 0; k < TIMES; k++)
+        for (int n = 16; n <= (quick ? 16 : k ? 32 : 64); n *= 2)
+            case_add(list, "run ring --method %s --cells %d --t-end %g", method, n,
+                     quick ? 0.04 : t_end[k]);
+    for (int k = 0; k < STEPS; k++)
+        case_add(list, "run ring --method %s --cells %d --cfl %g", method, quick ? 8 : 32, cfl[k]);
+    for (int k = 0; k < (quick ? 2 : OFFSETS); k++)
+        case_add(list,
+                 "run ring --method %s --cells %d --set sector=full --set offset_x=%.3f --set "
+                 "offset_y=%.3f --set angle=%.3f",
+                 method, quick ? 8 : 32, spread(k + 1, 0.6180339887), spread(k + 1, 0.4142135624),
+                 90 * spread(k + 1, 0.7320508076));
+}
+
+static void cases(Cases *list, bool quick)
+{
+    char file[64];
+    snprintf(file, sizeof file, "%s.reference.csv", name);
+    case_add_with(list, "samples", file, "run hole_plate --method fem --cells %d",
+                  quick ? 32 : 256);
+    for (int m = 0; m < RIVALS; m++) add_rivals(list, rivals[m], quick); /* first: see value_of */
+    add_parts(list, quick);
+    for (int ppc = 9; ppc <= (quick ? 9 : 16); ppc += 7)
+        case_add(list, "run ring --method ge_wls --cells %d --ppc %d", quick ? 8 : 32, ppc);
+}
+
+/* A number of the first such row: that of the method as it is, unless a setting is named. */
+static Measure value_of(const Table *rows, const char *problem, const char *method, int n,
+                        const char *setting, const char *want)
+{
+    for (int row = 0; row < rows->nrow; row++)
+        if (strcmp(table_text(rows, row, "problem"), problem) == 0 &&
+            strcmp(table_text(rows, row, "method"), method) == 0 &&
+            lround(table_number(rows, row, "cells")) == n &&
+            (!setting || strstr(table_text(rows, row, "params"), setting)))
+            return measure(kept_number(rows, row, want), !isnan(kept_number(rows, row, want)), 1);
+    return measure(NAN, 0, 1);
+}
+
+static const char *setting_without(int part, char text[64])
+{
+    if (part < 0) return NULL;
+    snprintf(text, 64, "%s=%s", parts[part].setting, parts[part].without);
+    return text;
+}
+
+/* Errors over FEM's on the same mesh: of the whole, of the whole less a part, of WLS2. */
+static int tables(const char *dir, bool quick, Fault *fault)
+{
+    char path[PATH_TEXT], text[64];
+    (void)quick;
+    part_path(path, dir, name, "shares");
+    Table *rows = part_read(dir, name, NULL, fault);
+    FILE *f = rows ? file_begin(path, fault) : NULL;
+    if (f) fputs("problem,what,cells,share\n", f);
+    for (int what = -1; f && what <= PARTS; what++)
+        for (int p = 0; p < 3; p++)
+            for (int k = 0; k < MESHES; k++) {
+                static const char *const problem[] = {"ring", "axis_mms", "vortex"};
+                const bool other = what == PARTS;
+                const char *method = other ? "wls2" : "ge_wls";
+                const char *set = other ? NULL : setting_without(what, text);
+                const double share =
+                    over(value_of(rows, problem[p], method, cells[k], set, "error_linf"),
+                         value_of(rows, problem[p], "fem", cells[k], NULL, "error_linf"))
+                        .value;
+                const char *label = other || what < 0 ? method : parts[what].setting;
+                if (!isnan(share))
+                    fprintf(f, "%s,%s,%d,%.17g\n", problem[p], label, cells[k], share);
+            }
+    table_free(rows);
+    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+}
+
+/* Of ge_wls over FEM on one mesh. */
+static Measure share_of(const Table *rows, const char *problem, const char *norm, int n)
+{
+    return over(value_of(rows, problem, "ge_wls", n, NULL, norm),
+                value_of(rows, problem, "fem", n, NULL, norm));
+}
+
+/* The largest on the ring, over meshes from .. to. */
+static Measure worst_share(const Table *rows, const char *norm, int from, int to)
+{
+    Measure worst = largest_of(0);
+    for (int k = 0; k < MESHES; k++)
+        if (cells[k] >= from && cells[k] <= to)
+            worst = largest(worst, share_of(rows, "ring", norm, cells[k]));
+    return worst;
+}
+
+static void check_ring(Check *c, const Table *rows)
+{
+    claim(c, "T-1b.linf", "ring: largest error over FEM's, worst of N = 16 ... 64",
+          worst_share(rows, "error_linf", 16, 64), 0, 0.9);
+    claim(c, "T-1b.linf-fine", "the same at N = 91 and 128",
+          worst_share(rows, "error_linf", 91, 128), 0, 1.05);
+    claim_differs(c, "T-1b.rms", "rms error over FEM's, worst of N = 16 ... 45",
+                  worst_share(rows, "error_l2", 16, 45), 0, 0.85, 0.85, 0.87,
+                  "N = 23 alone is above: .71, .858, .76, .77 at 16, 23, 32, 45");
+    claim(c, "T-1b.rms-fine", "the same for N = 64 ... 128", worst_share(rows, "error_l2", 64, 128),
+          0, 0.75);
+    static const char four_periods[] = "problem=ring method=%s cells=%d t_end=0.08";
+    for (int n = 32; n <= 64; n *= 2) {
+        char id[32], text[96];
+        snprintf(id, sizeof id, "T-1b.four-%d", n);
+        snprintf(text, sizeof text, "four periods, N = %d: largest error over FEM's", n);
+        claim(c, id, text,
+              over(value_pick(rows, "error_linf", four_periods, "ge_wls", n),
+                   value_pick(rows, "error_linf", four_periods, "fem", n)),
+              0, 1);
+    }
+}
+
+/* Mean and spread of errors over whole rings off the grid lines. */
+static Measure offsets(const Table *rows, const char *method, double *sd)
+{
+    double error[OFFSETS] = {0};
+    Measure mean = sum_of(OFFSETS);
+    int n = 0;
+    for (int row = 0; row < rows->nrow && n < OFFSETS; row++)
+        if (strcmp(table_text(rows, row, "method"), method) == 0 &&
+            strstr(table_text(rows, row, "params"), "sector=full"))
+            add_sum(&mean, error[n++] = kept_number(rows, row, "error_linf"));
+    *sd = n > 1 ? gsl_stats_sd(error, 1, (size_t)n) : NAN;
+    return with_value(mean, gsl_stats_mean(error, 1, (size_t)n));
+}
+
+/* Largest error of ge_wls at any time step over FEM's at the least. */
+static Measure worst_step(const Table *rows)
+{
+    static const char where[] = "problem=ring method=%s cells=32 cfl=%.17g";
+    Measure worst = largest_of(0);
+    for (int k = 0; k < STEPS; k++)
+        worst = largest(worst, value_pick(rows, "error_linf", where, "ge_wls", cfl[k]));
+    return over(worst, value_pick(rows, "error_linf", where, "fem", cfl[0]));
+}
+
+static void check_doubts(Check *c, const Table *rows)
+{
+    double sd, sd_fem;
+    const Measure mean = offsets(rows, "ge_wls", &sd);
+    claim(c, "T-1b.offsets", "whole rings at ten offsets and angles, N = 32: mean error over FEM's",
+          over(mean, offsets(rows, "fem", &sd_fem)), 0, 1);
+    note_number(c, "spread", sd / mean.value);
+    claim(c, "T-1b.cfl", "CFL .05 to .8, N = 32: largest error over FEM's at CFL .05",
+          worst_step(rows), 0, 1);
+    claim(c, "T-1b.lost", "runs of ge_wls lost, of all here, parts removed included",
+          count_lost(rows, RUNS, "method=ge_wls"), 0, 0);
+    claim(c, "T-1b.vortex", "generalized vortex, G = .2, N = 32: largest error over FEM's",
+          share_of(rows, "vortex", "error_linf", 32), 0, 1);
+    claim_differs(c, "T-1b.axis", "axis-aligned displacement, N = 32: largest error over FEM's",
+                  share_of(rows, "axis_mms", "error_linf", 32), 0, 1, 1, 2,
+                  "a body without free surface: what the fits filter inside is mended to second "
+                  "order only");
+}
+
+/* Each part must earn its place somewhere: the largest of its gains. */
+static void check_parts(Check *c, const Table *rows)
+{
+    for (int part = 0; part < PARTS; part++) {
+        char id[64], text[128], setting[64];
+        Measure gain = sum_of(0);
+        setting_without(part, setting);
+        for (int k = 0; k < COARSE; k++) {
+            if (cells[k] < 16) continue;
+            const Measure ratio =
+                over(value_of(rows, "ring", "ge_wls", cells[k], setting, "error_l2"),
+                     value_of(rows, "ring", "ge_wls", cells[k], NULL, "error_l2"));
+            gain = sum(gain, with_value(ratio, log(ratio.value) / 5));
+        }
+        snprintf(id, sizeof id, "T-1b.part-%s", parts[part].setting);
+        snprintf(text, sizeof text,
+                 "without %s=%s: rms error on the ring grows, mean factor over N = 16 ... 64",
+                 parts[part].setting, parts[part].with);
+        claim_differs(c, id, text, with_value(gain, exp(gain.value)), 1, 10, 0.5, 1,
+                      "what it buys lies elsewhere: see the figure's other scenes");
+    }
+}
+
+/* Energy over that at the start: the last before `t` [s], or the largest so far. */
+static Measure disk_energy(const Files *files, double t, bool most)
+{
+    Measure out = largest_of(INSTANTS);
+    double last = NAN;
+    Table *h = file_read(files, "disk.-1");
+    for (int k = 0; h && k < h->nrow && table_number(h, k, "t") <= t; k++) {
+        last = table_number(h, k, "total") / table_number(h, 0, "total");
+        add_largest(&out, last);
+    }
+    table_free(h);
+    return most || isnan(out.value) ? out : with_value(out, last);
+}
+
+static void check_scenes(Check *c, const char *dir)
+{
+    Measure rms = sum_of(RIM), scatter = sum_of(RIM);
+    char path[2][PATH_TEXT];
+    Files files;
+    files_open(&files, dir, name);
+    claim(c, "T-1b.disk", "disk: energy over E0 at t = 2.3", disk_energy(&files, 2.3, false), 0.98,
+          1.005);
+    claim(c, "T-1b.disk-late", "and at t = 4", disk_energy(&files, late, false), 0.91, 1.005);
+    claim(c, "T-1b.disk-most", "its largest ever", disk_energy(&files, late, true), 0.99, 1.005);
+    if (file_path(&files, "reference", path[0]) && file_path(&files, "plate.-1", path[1]))
+        rim_measure(path[0], 256, path[1], 32, &rms, &scatter);
+    files_close(&files);
+    claim(c, "T-1b.plate", "plate, h = 1/32: rms difference of stress from the reference [GPa]",
+          rms, 0, 2.2);
+    claim(c, "T-1b.plate-scatter", "and scatter along the hole [GPa]", scatter, 0, 1.8);
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    check_ring(c, rows);
+    check_doubts(c, rows);
+    check_parts(c, rows);
+    check_scenes(c, dir);
+}
+
+const Study study_t_01_ge_wls = {
+    .name = name,
+    .figure = "T-1b",
+    .about = "GE-WLS: what each part buys, and where it does and does not beat FEM",
+    .cases = cases,
+    .tables = tables,
+    .check = check,
+    .claims = 20,
+};

@@ -1,0 +1,160 @@
+/* t_04_stability.c: where each method breaks: CFL x PPC x amplitude, and the largest stable CFL.
+ *
+ * Ten periods of the sine bar (1D) and of the standing waves of axis_mms (2D), every method with
+ * every integrator, refused pairs included. A run is stable if it reaches the end with kinetic +
+ * strain energy - work never more than 5 % (of the largest so far) above its start, as the ledger
+ * has it. It "grew" if it reaches the end with more; it is lost if a particle is turned inside out,
+ * leaves the grid or is not a number. Losing energy is no instability.
+ *
+ * The rungs below are all run, coarse on purpose, since stability is not monotone in CFL where
+ * particles cross cells; the gap under the lowest rung that fails is bisected (ladder.h) to 5 %.
+ * A limit says that every rung tried below it was stable, too. */
+#include <math.h>
+#include <stdlib.h>
+#include "studies/tables/ladder.h"
+#include "studies/tables/curves.h"
+#include "studies/tables/stability.h"
+
+static const char name[] = "t_04_stability";
+enum { STALE = 16 }; /* lines of pairs with a stale gradient */
+
+/* Slow runs are rationed: what the figure shows, the default integrators, gets the finest mesh and
+ * the lowest rung; the others get there where the next rung fails. Refused pairs run at one PPC. */
+static void add_ladders(Cases *list, const Map *map, const char *method, Pair pair, bool quick)
+{
+    const bool usual = map_is_usual(map, method, pair);
+    const bool one = quick || !pair_is_allowed(map->engine, map->problem, method, pair);
+    for (int a = 0; map->A[a] > 0; a++)
+        for (int p = 0; map->ppc[p] > 0; p++)
+            for (int k = usual ? 0 : 1; k < MAP_RUNGS; k += quick ? 3 : 1) {
+                if ((quick && a != map->usual_A) || (one && p != map->usual_ppc)) continue;
+                case_add(list,
+                         "run %s --method %s --integrator %s --cells %d --ppc %g --cfl %g --t-end "
+                         "%.17g --set A=%g --set allow_unstable=1 --set refresh=%d",
+                         map->problem, method, pair.integrator, map->cells[usual], map->ppc[p],
+                         map_rungs[k], (quick ? 2 : 10) * map->period, map->A[a], pair.refresh);
+            }
+}
+
+static void cases(Cases *list, bool quick)
+{
+    for (const Map *map = stability_maps; map < stability_maps + MAPS; map++)
+        for (const Info *const *m = map->engine->methods; *m; m++)
+            for (int k = 0; k < PAIRS; k++)
+                if (map_has_pair(map, (*m)->name, k))
+                    add_ladders(list, map, (*m)->name, pairs[k], quick);
+}
+
+/* CFL number below which a ladder is not followed. */
+static double lowest(const Table *rows, int row)
+{
+    const Pair pair = pairs[pair_of_row(rows, row)];
+    const bool usual = map_is_usual(map_of_row(rows, row), table_text(rows, row, "method"), pair);
+    return usual ? map_rungs[0] / 2 : map_rungs[0];
+}
+
+/* Both limits, of stable runs and of runs that are not lost; they may lie in one gap. */
+static void refine(Cases *list, const Table *rows, bool quick)
+{
+    Ladder *ladders;
+    const int n = ladders_read(rows, &ladders);
+    for (const Ladder *l = ladders; l < ladders + n; l++) {
+        int before = -1;
+        for (Grade worst = STABLE; worst < LOST; worst++) {
+            int first;
+            ladder_limit(l, worst, &first);
+            if (first >= 0 && !(worst > STABLE && first == before))
+                ladder_split(list, rows, l, first - 1, quick ? 0.4 : 0.05, lowest(rows, l->row[0]));
+            before = first;
+        }
+    }
+    free(ladders);
+}
+
+static int tables(const char *dir, bool quick, Fault *fault)
+{
+    (void)quick;
+    return stability_tables(dir, name, fault);
+}
+
+/* The least limit over PPC of a pair in 1D. */
+static Measure bar(const Table *worst, const char *what, const char *pair, double A)
+{
+    return value_pick(worst, what, "dim=1 %s amplitude=%g", pair, A);
+}
+
+/* In 2D, over both amplitudes, too. */
+static Measure plane(const Table *worst, const char *method, const char *integrator)
+{
+    static const char where[] = "dim=2 method=%s integrator=%s refresh=0 amplitude=%g";
+    const double *A = stability_maps[1].A;
+    return least(value_pick(worst, "stable", where, method, integrator, A[0]),
+                 value_pick(worst, "stable", where, method, integrator, A[1]));
+}
+
+/* The largest over methods that refuse an integrator for its stale gradient. */
+static Measure best_stale(const Table *worst)
+{
+    Measure best = largest_of(STALE);
+    for (int row = 0; row < worst->nrow; row++) {
+        const Pair fresh = {table_text(worst, row, "integrator"), true};
+        const Engine *engine = engines[table_number(worst, row, "dim") > 1];
+        const char *problem = stability_maps[engine->dim - 1].problem;
+        if (table_number(worst, row, "refresh") > 0) continue;
+        if (!pair_is_run(engine, problem, table_text(worst, row, "method"), fresh)) continue;
+        add_largest(&best, table_number(worst, row, "stable"));
+    }
+    return best;
+}
+
+/* HARD_CASES H9: what a ladder of tenths found; the limit lies between that rung and the next. */
+static void check_bar(Check *c, const Table *worst)
+{
+    static const char tent[] = "method=mpm integrator=cd", gimp[] = "method=gimp integrator=cd";
+    static const char ge[] = "method=ge_gimp integrator=cd";
+    claim(c, "T-4.tent", "tents with cd, 1D: largest stable CFL at A = 1e-4, worst PPC",
+          bar(worst, "stable", tent, 1e-4), 0.7, 0.8);
+    claim(c, "T-4.tent-.01", "the same at A = .01", bar(worst, "stable", tent, 0.01), 0.7, 0.8);
+    claim(c, "T-4.tent-.05", "and at A = .05, where particles cross cells",
+          bar(worst, "stable", tent, 0.05), 0.05, 0.1);
+    claim(c, "T-4.gimp", "GIMP with cd: A = 1e-4", bar(worst, "stable", gimp, 1e-4), 0.7, 0.8);
+    claim(c, "T-4.gimp-.01", "A = .01", bar(worst, "stable", gimp, 0.01), 0.8, 0.9);
+    claim(c, "T-4.gimp-.05", "A = .05", bar(worst, "stable", gimp, 0.05), 0.8, 0.9);
+    claim(c, "T-4.ge-gimp", "GE-GIMP with cd: A = 1e-4", bar(worst, "stable", ge, 1e-4), 1, 1.1);
+    claim(c, "T-4.ge-gimp-.01", "A = .01", bar(worst, "stable", ge, 0.01), 1, 1.1);
+    claim_differs(c, "T-4.ge-gimp-.05", "A = .05", bar(worst, "stable", ge, 0.05), 0.6, 0.7, 0.1,
+                  0.6, "runs end well up to .6, but energy grows by more than 5 % long before");
+    claim(c, "T-4.ge-gimp-.05-kept", "and if energy may grow so long as the run is not lost",
+          bar(worst, "kept", ge, 0.05), 0.6, 0.7);
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    Table *worst = claim_part(c, dir, "worst");
+    (void)rows;
+    check_bar(c, worst);
+    for (int k = 0; k < 2; k++) {
+        const char *pair = k ? "method=gimp integrator=uvf" : "method=gimp integrator=musl";
+        claim(c, k ? "T-4.uvf" : "T-4.musl",
+              k ? "and with uvf" : "GIMP with musl: A = 1e-4 and .01, the lower limit",
+              least(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4, 2);
+    }
+    claim(c, "T-4.plane-gimp", "2D, own measurement: GIMP with cd, the worse amplitude",
+          plane(worst, "gimp", "cd"), 0.65, 0.8);
+    claim(c, "T-4.plane-bspline", "B-splines with cd", plane(worst, "bspline", "cd"), 0.9, 1.2);
+    claim(c, "T-4.plane-fem", "FEM", plane(worst, "fem", "cd"), 0.6, 0.8);
+    claim(c, "T-4.stale", "a stale gradient projected twice a step: largest limit of all such",
+          best_stale(worst), 0, 0);
+    table_free(worst);
+}
+
+const Study study_t_04_stability = {
+    .name = name,
+    .figure = "T-4",
+    .about = "stability maps: CFL x PPC x amplitude, largest stable CFL of every pair, 1D and 2D",
+    .cases = cases,
+    .refine = refine,
+    .tables = tables,
+    .check = check,
+    .claims = 16,
+};

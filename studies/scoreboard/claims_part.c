@@ -1,0 +1,106 @@
+/* claims_part.c: verdicts on the page: counts, what differs from the papers, the table. */
+#include <math.h>
+#include <string.h>
+#include "parts.h"
+
+static int count(const Page *page, const char *paper, Verdict verdict)
+{
+    int n = 0;
+    for (const Claim *c = page->claims->list; c < page->claims->list + page->claims->n; c++)
+        n += c->verdict == verdict && strncmp(c->study->figure, paper, strlen(paper)) == 0;
+    return n;
+}
+
+void page_counts(const Page *page)
+{
+    if (page->claims->n == 0) fputs("<p>A quick run: no verdicts.</p>\n", page->f);
+    fputs("<p>", page->f);
+    for (Verdict v = PASS; v <= NOT_RUN && page->claims->n; v++)
+        fprintf(page->f, "%s<span class=\"v %s\">%d %s</span>", v ? " &middot; " : "",
+                verdict_name(v), count(page, "", v), verdict_name(v));
+    fputs("</p>\n", page->f);
+}
+
+static void paper(const Page *page, const char *prefix, const char *name)
+{
+    const int holds = count(page, prefix, PASS), differs = count(page, prefix, DIFFERS);
+    const int fails = count(page, prefix, FAIL), not_run = count(page, prefix, NOT_RUN);
+    fprintf(page->f, "<p><b>%s</b>: of %d claims <span class=\"v PASS\">%d hold</span>, ", name,
+            holds + differs + fails + not_run, holds);
+    fprintf(page->f,
+            "<span class=\"v DIFFERS\">%d differ</span>, <span class=\"v FAIL\">%d fail"
+            "</span>",
+            differs, fails);
+    if (not_run) fprintf(page->f, ", <span class=\"v NOT_RUN\">%d not run</span>", not_run);
+    fputs(".</p>\n", page->f);
+}
+
+void page_papers(const Page *page)
+{
+    FILE *f = page->f;
+    paper(page, "W07", "W07, Wallstedt and Guilkey 2007");
+    paper(page, "W11", "W11, Wallstedt and Guilkey 2011");
+    paper(page, "T-", "Our own studies");
+    if (count(page, "", DIFFERS) + count(page, "", FAIL) == 0) return;
+    fputs("<details open><summary>What differs or fails, and why</summary>\n<ul>\n", f);
+    for (const Claim *c = page->claims->list; c < page->claims->list + page->claims->n; c++) {
+        if (c->verdict != DIFFERS && c->verdict != FAIL) continue;
+        fprintf(f, "<li><span class=\"v %s\">%s</span> ", verdict_name(c->verdict),
+                verdict_name(c->verdict));
+        fprintf(f, "<a href=\"#%s\">%s</a> ", c->study->name, c->study->figure);
+        html_text(f, c->statement);
+        fprintf(f, ": %.4g. <span class=\"soft\">", c->measured);
+        html_element(f, "", c->reason, "</span></li>\n");
+    }
+    fputs("</ul>\n</details>\n", f);
+}
+
+void page_verdicts(const Page *page)
+{
+    for (Verdict v = PASS; v <= NOT_RUN; v++)
+        fprintf(page->f,
+                "<button type=\"button\" class=\"%s\" data-verdict=\"%s\" aria-pressed=\"true\">"
+                "%s %d</button>\n",
+                verdict_name(v), verdict_name(v), verdict_name(v), count(page, "", v));
+}
+
+void page_figure_names(const Page *page)
+{
+    const Study *last = NULL;
+    for (const Claim *c = page->claims->list; c < page->claims->list + page->claims->n; c++) {
+        if (c->study != last) fprintf(page->f, "<option>%s</option>\n", c->study->figure);
+        last = c->study;
+    }
+}
+
+/* For reading: four digits; the exact number is in claims.csv. */
+static void number(FILE *f, double x)
+{
+    if (isnan(x))
+        fputs("&ndash;", f);
+    else
+        fprintf(f, "%.4g", x);
+}
+
+void html_claim(FILE *f, const Claim *c)
+{
+    const char *verdict = verdict_name(c->verdict);
+    fprintf(f, "<tr data-verdict=\"%s\" data-figure=\"%s\"><td class=\"v %s\">%s</td>", verdict,
+            c->study->figure, verdict, verdict);
+    fprintf(f, "<td><a href=\"#%s\">", c->study->name);
+    html_element(f, "", c->id, "</a></td>");
+    html_element(f, "<td>", c->statement, "");
+    if (c->reason[0]) html_element(f, "<br><span class=\"soft\">", c->reason, "</span>");
+    fputs("</td><td class=\"n\" data-label=\"measured\">", f);
+    number(f, c->measured);
+    fputs("</td><td class=\"n\" data-label=\"expected\">", f);
+    number(f, c->low);
+    fputs(" to ", f);
+    number(f, c->high);
+    fputs("</td></tr>\n", f);
+}
+
+void page_claims(const Page *page)
+{
+    for (int k = 0; k < page->claims->n; k++) html_claim(page->f, &page->claims->list[k]);
+}

@@ -1,0 +1,134 @@
+/* figures_part.c: a card a figure: picture, claims, where the numbers come from, how to remake it.
+ * Pictures are embedded: the drawing itself, or its pixels where those are smaller by far. */
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "studies/runs/memory.h"
+#include "parts.h"
+
+enum { LARGE = 120000 }; /* bytes of a drawing that may be better as pixels */
+
+static long size_of(const Page *page, const char *name, const char *ending)
+{
+    struct stat s;
+    char *path = text_of("%s/%s.%s", page->dir, name, ending);
+    const long size = stat(path, &s) == 0 ? (long)s.st_size : 0;
+    free(path);
+    return size;
+}
+
+/* Bytes as base64 text. */
+static void put_base64(FILE *out, FILE *in)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    unsigned char b[3];
+    for (size_t n; (n = fread(b, 1, 3, in)) > 0;) {
+        for (size_t k = n; k < 3; k++) b[k] = 0;
+        putc(digits[b[0] >> 2], out);
+        putc(digits[(b[0] & 3) << 4 | b[1] >> 4], out);
+        putc(n > 1 ? digits[(b[1] & 15) << 2 | b[2] >> 6] : '=', out);
+        putc(n > 2 ? digits[b[2] & 63] : '=', out);
+    }
+}
+
+static void picture(const Page *page, const char *name, const char *about)
+{
+    const long svg = size_of(page, name, "svg"), png = size_of(page, name, "png");
+    const bool pixels = png > 0 && (svg == 0 || (svg > LARGE && png < svg));
+    char *path = text_of("%s/%s.%s", page->dir, name, pixels ? "png" : "svg");
+    FILE *in = svg || png ? fopen(path, "rb") : NULL;
+    if (in) {
+        html_element(page->f, "<img alt=\"", about, "\" src=\"data:image/");
+        fprintf(page->f, "%s;base64,", pixels ? "png" : "svg+xml");
+        put_base64(page->f, in);
+        fputs("\">\n", page->f);
+        fclose(in);
+    }
+    free(path);
+}
+
+static void figure_claims(const Page *page, const Study *study)
+{
+    int rows = 0;
+    for (const Claim *c = page->claims->list; c < page->claims->list + page->claims->n; c++) {
+        if (c->study != study) continue;
+        if (rows++ == 0)
+            fputs("<table class=\"stack\"><thead><tr><th>verdict</th><th>claim</th><th>statement"
+                  "</th><th>measured</th><th>expected</th></tr></thead><tbody>\n",
+                  page->f);
+        html_claim(page->f, c);
+    }
+    if (rows) fputs("</tbody></table>\n", page->f);
+}
+
+static void fact(FILE *f, const char *name, const char *value)
+{
+    if (!value) return;
+    html_element(f, "<dt>", name, "</dt><dd>");
+    html_element(f, "", value, "</dd>\n");
+}
+
+static void sidecar(const Page *page, const char *name)
+{
+    static const char *const facts[] = {"version", "compiler", "flags", "sources", "checksum"};
+    char *path = text_of("%s/%s.json", page->dir, name);
+    json_t *json = json_load_file(path, 0, NULL), *dt = json_object_get(json, "dt");
+    free(path);
+    if (!json) return;
+    fputs("<details><summary>Where the numbers come from</summary>\n<dl>\n", page->f);
+    for (size_t k = 0; k < sizeof facts / sizeof *facts; k++)
+        fact(page->f, facts[k], json_string_value(json_object_get(json, facts[k])));
+    fprintf(page->f, "<dt>runs</dt><dd>%d in %.3g s</dd>\n",
+            (int)json_array_size(json_object_get(json, "inputs")),
+            json_number_value(json_object_get(json, "seconds")));
+    if (json_is_number(json_object_get(dt, "min"))) {
+        fprintf(page->f, "<dt>dt</dt><dd>%.4g to %.4g s; ",
+                json_number_value(json_object_get(dt, "min")),
+                json_number_value(json_object_get(dt, "max")));
+        const char *definition = json_string_value(json_object_get(dt, "definition"));
+        html_element(page->f, "", definition ? definition : "", "</dd>\n");
+    }
+    fact(page->f, "first run",
+         json_string_value(json_array_get(json_object_get(json, "inputs"), 0)));
+    fputs("</dl>\n</details>\n", page->f);
+    json_decref(json);
+}
+
+static void link_to(const Page *page, const char *name, const char *ending)
+{
+    if (size_of(page, name, ending))
+        fprintf(page->f, "<a href=\"%s.%s\">%s</a> ", name, ending, ending);
+}
+
+static void card(const Page *page, const Study *s, const char *command)
+{
+    fprintf(page->f, "<article class=\"card\" id=\"%s\">\n<h3>", s->name);
+    html_element(page->f, "", s->figure, "</h3>\n");
+    html_element(page->f, "<p>", s->about, "</p>\n");
+    picture(page, s->name, s->about);
+    page_prices(page, s->name);
+    figure_claims(page, s);
+    sidecar(page, s->name);
+    fputs("<p class=\"soft\">Data: ", page->f);
+    link_to(page, s->name, "csv");
+    link_to(page, s->name, "points.csv");
+    link_to(page, s->name, "reach.csv");
+    link_to(page, s->name, "json");
+    link_to(page, s->name, "svg");
+    link_to(page, s->name, "png");
+    html_element(page->f, "&middot; again: <code>", command, "</code></p>\n</article>\n");
+}
+
+void page_figures(const Page *page)
+{
+    static const Study bench = {.name = "t_03_speed",
+                                .figure = "T-3",
+                                .about = "speed: CPU time and instructions of one particle-step"};
+    for (const Study *const *s = studies; *s; s++) {
+        char *command = text_of("build/mpmlab study %s", (*s)->name);
+        if (size_of(page, (*s)->name, "csv")) card(page, *s, command);
+        free(command);
+    }
+    if (size_of(page, bench.name, "csv")) card(page, &bench, "make bench");
+}

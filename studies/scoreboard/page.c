@@ -1,0 +1,84 @@
+/* page.c: OUT/index.html from plots/page.html: every line there that is a marker (@NAME@) is
+ * replaced by what its part writes. The page stands by itself: nothing in it is loaded. */
+#include "page.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include "facts.h"
+#include "studies/runs/memory.h"
+#include "parts.h"
+#include "studies/engine/plot.h"
+
+void html_text(FILE *f, const char *text)
+{
+    static const char special[] = "<>&\"";
+    static const char *const names[] = {"&lt;", "&gt;", "&amp;", "&quot;"};
+    for (; *text; text++) {
+        const char *s = strchr(special, *text);
+        if (s)
+            fputs(names[s - special], f);
+        else
+            putc(*text, f);
+    }
+}
+
+void html_element(FILE *f, const char *open, const char *text, const char *close)
+{
+    fputs(open, f);
+    html_text(f, text);
+    fputs(close, f);
+}
+
+static void build_facts(const Page *page)
+{
+    html_element(page->f, "<p class=\"soft\">", FACT_VERSION, " &middot; ");
+    html_element(page->f, "", FACT_COMPILER, " &middot; ");
+    html_element(page->f, "", FACT_FLAGS, "</p>\n");
+}
+
+static const struct Part {
+    const char *marker;
+    void (*write)(const Page *page);
+} parts[] = {
+    {"@BUILD@\n", build_facts},        {"@COUNTS@\n", page_counts},
+    {"@WHICH@\n", page_which},         {"@PAPERS@\n", page_papers},
+    {"@VERDICTS@\n", page_verdicts},   {"@FIGURE_NAMES@\n", page_figure_names},
+    {"@CLAIMS@\n", page_claims},       {"@FIGURES@\n", page_figures},
+    {"@STABILITY@\n", page_stability},
+};
+
+static void write_line(const Page *page, const char *line)
+{
+    for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+        if (strcmp(line, parts[k].marker) == 0) {
+            parts[k].write(page);
+            return;
+        }
+    fputs(line, page->f);
+}
+
+static FILE *open_template(Fault *fault)
+{
+    char *plots = plots_folder(), *path = text_of("%s/page.html", plots ? plots : "plots");
+    FILE *f = fopen(path, "r");
+    if (!f) fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
+    free(path);
+    free(plots);
+    return f;
+}
+
+int page_write(const Check *claims, const char *dir, Fault *fault)
+{
+    char *path = text_of("%s/index.html", dir), line[1024];
+    FILE *template = open_template(fault);
+    Page page = {template ? file_begin(path, fault) : NULL, claims, dir};
+    int code = FAULT_MACHINE;
+    if (page.f) {
+        while (fgets(line, sizeof line, template)) write_line(&page, line);
+        code = file_commit(page.f, path, fault);
+    }
+    if (template) fclose(template);
+    free(path);
+    return code;
+}

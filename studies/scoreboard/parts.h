@@ -1,0 +1,32 @@
+/* parts.h: the parts of the page; each writes what stands for its marker in plots/page.html.
+ */
+#ifndef MPMLAB_PARTS_H
+#define MPMLAB_PARTS_H
+
+#include "studies/engine/claims.h"
+
+typedef struct Page {
+    FILE *f;
+    const Check *claims;
+    const char *dir;
+} Page;
+
+void page_counts(const Page *page);       /* how many of each verdict */
+void page_papers(const Page *page);       /* what holds of each paper, and what differs */
+void page_verdicts(const Page *page);     /* a button a verdict */
+void page_figure_names(const Page *page); /* an option a figure that has claims */
+void page_claims(const Page *page);       /* a row a claim */
+void page_which(const Page *page);        /* the best method for each error, from study T-2 */
+void page_stability(const Page *page);    /* a row a method: limits, what breaks it, what helps */
+void page_figures(const Page *page);      /* a card a figure */
+
+/* Every method's price of each error, if dir/NAME.reach.csv is there. */
+void page_prices(const Page *page, const char *name);
+
+const char *method_label(const char *method); /* "GE-GIMP", from any dimension; or itself */
+
+void html_text(FILE *f, const char *text); /* escaped */
+void html_element(FILE *f, const char *open, const char *text, const char *close);
+void html_claim(FILE *f, const Claim *c); /* a table's row */
+
+#endif

@@ -1,0 +1,194 @@
+/* stability_part.c: what a method's user must know: the largest safe time step, how it stands up to
+ * each hard case, what breaks it first and which option helps. All from tables that studies leave:
+ * NAME.grades.csv and NAME.remedies.csv (grades.h), T-4's limits and T-5's grid. */
+#include <math.h>
+#include <string.h>
+#include "studies/tables/grades.h"
+#include "parts.h"
+#include "studies/runs/run_args.h"
+
+typedef struct Sheet {
+    const Study *study;
+    Table *grades, *remedies; /* or NULL */
+} Sheet;
+
+enum { SHEETS = 128, METHODS = 64 };
+
+typedef struct Sheets {
+    int n;
+    Sheet list[SHEETS];
+    Table *safe, *pairs; /* T-4 and T-5, or NULL */
+} Sheets;
+
+static void sheets_read(Sheets *s, const char *dir)
+{
+    *s = (Sheets){.safe = part_read(dir, "t_04_stability", "safe", NULL),
+                  .pairs = part_read(dir, "t_05_compatibility", "grid", NULL)};
+    for (const Study *const *study = studies; *study && s->n < SHEETS; study++) {
+        Sheet one = {*study, part_read(dir, (*study)->name, "grades", NULL),
+                     part_read(dir, (*study)->name, "remedies", NULL)};
+        if (one.grades || one.remedies) s->list[s->n++] = one;
+    }
+}
+
+static void sheets_free(Sheets *s)
+{
+    for (int k = 0; k < s->n; k++) {
+        table_free(s->list[k].grades);
+        table_free(s->list[k].remedies);
+    }
+    table_free(s->safe);
+    table_free(s->pairs);
+}
+
+static bool is(const Table *t, int row, const char *column, const char *value)
+{
+    return strcmp(table_text(t, row, column), value) == 0;
+}
+
+static Mark mark_read(const char *word)
+{
+    for (Mark m = MARK_OK; m < MARKS; m++)
+        if (strcmp(word, mark_names[m]) == 0) return m;
+    return MARK_LOST;
+}
+
+/* "1D cd 0.7, uvf 1.4": the limits of T-4. */
+static void safe_steps(FILE *f, const Table *t, const char *method)
+{
+    int found = 0;
+    for (int dim = 1; dim <= 3; dim++) {
+        int here = 0;
+        for (int row = 0; t && row < t->nrow; row++) {
+            if (!is(t, row, "method", method) || table_number(t, row, "dim") != dim) continue;
+            if (here == 0)
+                fprintf(f, "%s<span class=\"soft\">%dD</span> ", found ? "<br>" : "", dim);
+            html_element(f, here ? ", " : "", table_text(t, row, "integrator"), " ");
+            fprintf(f, "%.2g", table_number(t, row, "safe_cfl"));
+            here++, found++;
+        }
+    }
+    if (!found) fputs("&ndash;", f);
+    for (int row = 0; t && row < t->nrow; row++)
+        if (is(t, row, "method", method) && table_text(t, row, "first_failure")[0]) {
+            html_element(f, "<br><span class=\"soft\">then ", table_text(t, row, "first_failure"),
+                         "</span>");
+            break;
+        }
+}
+
+static void marks(FILE *f, const Sheets *s, const char *method)
+{
+    static const char *const signs[MARKS] = {"&#10003;", "~", "&times;"};
+    for (const Sheet *one = s->list; one < s->list + s->n; one++)
+        for (int row = 0; one->grades && row < one->grades->nrow; row++) {
+            if (!is(one->grades, row, "method", method)) continue;
+            const Mark m = mark_read(table_text(one->grades, row, "grade"));
+            fprintf(f, "<a class=\"m %s\" href=\"#%s\"", mark_names[m], one->study->name);
+            html_element(f, " title=\"", table_text(one->grades, row, "note"), "\">");
+            html_element(f, "", table_text(one->grades, row, "case"), " ");
+            fprintf(f, "%s</a>", signs[m]);
+        }
+}
+
+/* The first hard case that it is worst at. */
+static void first_break(FILE *f, const Sheets *s, const char *method)
+{
+    const Sheet *found = NULL;
+    int at = 0;
+    Mark worst = MARK_OK;
+    for (const Sheet *one = s->list; one < s->list + s->n; one++)
+        for (int row = 0; one->grades && row < one->grades->nrow; row++) {
+            const Mark m = mark_read(table_text(one->grades, row, "grade"));
+            if (!is(one->grades, row, "method", method) || m <= worst) continue;
+            worst = m;
+            found = one;
+            at = row;
+        }
+    if (!found) {
+        fputs("nothing tried here", f);
+        return;
+    }
+    html_element(f, "<b>", table_text(found->grades, at, "case"), "</b>");
+    fputs(worst == MARK_WEAK ? " (weak): " : ": ", f);
+    html_text(f, table_text(found->grades, at, "note"));
+}
+
+/* How a pair of T-5 went: 0 best, 3 lost; -1: not tried. */
+static int pair_grade(const Table *t, const char *method, const char *integrator)
+{
+    for (int row = 0; t && row < t->nrow; row++)
+        if (is(t, row, "method", method) && is(t, row, "integrator", integrator))
+            return (int)table_number(t, row, "grade");
+    return -1;
+}
+
+static int fresh_gradients(FILE *f, const Table *t, const char *method)
+{
+    const int stale = pair_grade(t, method, "musl"), fresh = pair_grade(t, method, "musl fresh");
+    if (fresh < 0 || fresh >= stale) return 0;
+    fputs("<code>refresh=1</code> <span class=\"soft\">musl, uvf (T-5)</span>", f);
+    return 1;
+}
+
+/* Options under which a case got a better mark. */
+static void helps(FILE *f, const Sheets *s, const char *method)
+{
+    int n = fresh_gradients(f, s->pairs, method);
+    for (const Sheet *one = s->list; one < s->list + s->n; one++)
+        for (int row = 0; one->remedies && row < one->remedies->nrow; row++) {
+            const Table *t = one->remedies;
+            if (!is(t, row, "method", method)) continue;
+            if (mark_read(table_text(t, row, "after")) >= mark_read(table_text(t, row, "before")))
+                continue;
+            html_element(f, n++ ? "<br><code>" : "<code>", table_text(t, row, "remedy"),
+                         "</code> ");
+            html_element(f, "<span class=\"soft\">", table_text(t, row, "case"), ": ");
+            html_element(f, "", table_text(t, row, "before"), " &rarr; ");
+            html_element(f, "", table_text(t, row, "after"), "</span>");
+        }
+    if (n == 0) fputs("&ndash;", f);
+}
+
+static bool is_graded(const Sheets *s, const char *method)
+{
+    for (const Sheet *one = s->list; one < s->list + s->n; one++)
+        for (int row = 0; one->grades && row < one->grades->nrow; row++)
+            if (is(one->grades, row, "method", method)) return true;
+    return false;
+}
+
+static void method_row(FILE *f, const Sheets *s, const char *method)
+{
+    html_element(f, "<tr><th>", method_label(method), "</th><td data-label=\"safe CFL:\">");
+    safe_steps(f, s->safe, method);
+    fputs("</td><td data-label=\"breaks first:\">", f);
+    first_break(f, s, method);
+    fputs("</td><td>", f);
+    marks(f, s, method);
+    fputs("</td><td data-label=\"helps:\">", f);
+    helps(f, s, method);
+    fputs("</td></tr>\n", f);
+}
+
+void page_stability(const Page *page)
+{
+    Sheets s;
+    const char *names[METHODS];
+    sheets_read(&s, page->dir);
+    const int n = method_names(names, METHODS);
+    if (s.n == 0)
+        fputs("<p>Not run yet: <code>build/mpmlab study all</code></p>\n", page->f);
+    else
+        fputs("<p>Safe CFL: the largest at which ten periods of a wave stay stable, of any "
+              "amplitude and number of particles tried (T-4). Hard cases: &#10003; stands it, ~ "
+              "with losses, &times; breaks; each mark leads to its study, whose text says where "
+              "the lines are drawn. What helps is what gave a better mark in a run.</p>\n<table "
+              "class=\"stack\" id=\"hard\"><thead><tr><th>method</th><th>safe CFL</th><th>breaks "
+              "first</th><th>hard cases</th><th>what helps</th></tr></thead><tbody>\n",
+              page->f);
+    for (int k = 0; k < n && s.n > 0; k++)
+        if (is_graded(&s, names[k])) method_row(page->f, &s, names[k]);
+    if (s.n > 0) fputs("</tbody></table>\n", page->f);
+    sheets_free(&s);
+}

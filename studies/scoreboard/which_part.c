@@ -1,0 +1,163 @@
+/* which_part.c: which method for which error, from the table of costs that study T-2 leaves. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "studies/runs/memory.h"
+#include "parts.h"
+#include "studies/tables/curves.h"
+
+static const char costs[] = "t_02_work_precision";
+static const char *const targets[] = {"0.001", "0.0003", "0.0001"};
+enum { TARGETS = 3 };
+
+static Table *costs_read(const Page *page, const char *name)
+{
+    return part_read(page->dir, name, "reach", NULL);
+}
+
+const char *method_label(const char *method)
+{
+    for (const Engine *const *e = engines; *e; e++)
+        for (const Info *const *m = (*e)->methods; *m; m++)
+            if (strcmp((*m)->name, method) == 0) return (*m)->label;
+    return method;
+}
+
+static const char *title_of(const char *problem)
+{
+    for (const Engine *const *e = engines; *e; e++)
+        for (const Info *const *p = (*e)->problems; *p; p++)
+            if (strcmp((*p)->name, problem) == 0) return (*p)->about;
+    return "";
+}
+
+static bool is(const Table *t, int row, const char *column, const char *value)
+{
+    return strcmp(table_text(t, row, column), value) == 0;
+}
+
+static bool is_reached(const Table *t, int row)
+{
+    return is(t, row, "how", "reached") || is(t, row, "how", "below");
+}
+
+static bool has_particles(const Table *t, int row)
+{
+    return isfinite(table_number(t, row, "ppc"));
+}
+
+/* The row of least time to this error, with particles or without; extrapolated only if none gets
+ * there. -1: none. */
+static int cheapest(const Table *t, const char *problem, const char *target, bool particles)
+{
+    int best = -1;
+    for (int row = 0; row < t->nrow; row++) {
+        if (!is(t, row, "problem", problem) || !is(t, row, "target", target)) continue;
+        if (is(t, row, "how", "never") || has_particles(t, row) != particles) continue;
+        const bool firm = is_reached(t, row);
+        if (best < 0 || firm > is_reached(t, best) ||
+            (firm == is_reached(t, best) &&
+             table_number(t, row, "seconds") < table_number(t, best, "seconds")))
+            best = row;
+    }
+    return best;
+}
+
+static void seconds(FILE *f, const Table *t, int row)
+{
+    const double s = table_number(t, row, "seconds");
+    const char *sign = is(t, row, "how", "below")          ? "&le; "
+                       : is(t, row, "how", "extrapolated") ? "~ "
+                                                           : "";
+    if (is(t, row, "how", "never") || !isfinite(s))
+        fputs("&ndash;", f);
+    else if (s < 1e-3)
+        fprintf(f, "%s%.3g &micro;s", sign, 1e6 * s);
+    else
+        fprintf(f, "%s%.3g %s", sign, s < 1 ? 1e3 * s : s, s < 1 ? "ms" : "s");
+}
+
+/* "GIMP, fitted, 4 per cell, N = 20" */
+static void options(FILE *f, const Table *t, int row)
+{
+    html_text(f, method_label(table_text(t, row, "method")));
+    fputs("</b> <span class=\"soft\">", f);
+    if (has_particles(t, row))
+        fprintf(f, "%s, %.2g per cell, %s, ", is(t, row, "layout", "radial") ? "fitted" : "lattice",
+                table_number(t, row, "ppc"), table_text(t, row, "integrator"));
+    fprintf(f, "N = %.0f%s</span>", table_number(t, row, "cells"),
+            is(t, row, "how", "extrapolated") ? ", extrapolated" : "");
+}
+
+static void answer(FILE *f, const Table *t, int row)
+{
+    if (row < 0) return;
+    fputs("<div><span class=\"n best\">", f);
+    seconds(f, t, row);
+    fputs("</span> <b>", f);
+    options(f, t, row);
+    fputs("</div>", f);
+}
+
+static void problem_row(FILE *f, const Table *t, const char *problem)
+{
+    html_element(f, "<tr><th>", problem, "<br><span class=\"soft\">");
+    html_element(f, "", title_of(problem), "</span></th>");
+    for (int k = 0; k < TARGETS; k++) {
+        const int particles = cheapest(t, problem, targets[k], true);
+        const int mesh = cheapest(t, problem, targets[k], false);
+        fprintf(f, "<td data-label=\"error %s:\">", targets[k]);
+        if (particles < 0) fputs("<div class=\"soft\">no particle method gets there</div>", f);
+        answer(f, t, particles);
+        answer(f, t, mesh);
+        fputs("</td>", f);
+    }
+    fputs("</tr>\n", f);
+}
+
+void page_which(const Page *page)
+{
+    Table *t = costs_read(page, costs);
+    const char *last = "";
+    if (!t) {
+        fprintf(page->f, "<p>Not run yet: <code>build/mpmlab study %s</code></p>\n", costs);
+        return;
+    }
+    fprintf(page->f,
+            "<p>CPU time of the step loop to reach a largest error (of all points and steps, "
+            "scaled as <code>describe</code> says), at the cheapest options tried; the best "
+            "particle method, and FEM below it. ~ is extrapolated, &le; is the coarsest mesh "
+            "tried. <a href=\"#%s\">All methods and the figure</a>.</p>\n<table class=\"stack\" "
+            "id=\"prices\"><thead><tr><th>problem</th><th>error 1e-3</th><th>3e-4</th><th>1e-4</th>"
+            "</tr></thead><tbody>\n",
+            costs);
+    for (int row = t->nrow - 1; row >= 0; row--) { /* the ring first */
+        const char *problem = table_text(t, row, "problem");
+        if (strcmp(problem, last) != 0) problem_row(page->f, t, problem);
+        last = problem;
+    }
+    fputs("</tbody></table>\n", page->f);
+    table_free(t);
+}
+
+void page_prices(const Page *page, const char *name)
+{
+    Table *t = costs_read(page, name);
+    if (!t) return;
+    fputs("<details open><summary>Every method at its best: CPU time to reach an error</summary>"
+          "<div class=\"scroll\"><table><tr><th>problem</th><th>method</th><th>1e-3</th><th>3e-4"
+          "</th><th>1e-4</th></tr>\n",
+          page->f);
+    for (int row = 0; row + TARGETS <= t->nrow; row += TARGETS) {
+        html_element(page->f, "<tr><td>", table_text(t, row, "problem"), "</td><td>");
+        html_element(page->f, "", method_label(table_text(t, row, "method")), "</td>");
+        for (int k = 0; k < TARGETS; k++) {
+            fputs("<td class=\"n\">", page->f);
+            seconds(page->f, t, row + k);
+            fputs("</td>", page->f);
+        }
+        fputs("</tr>\n", page->f);
+    }
+    fputs("</table></div></details>\n", page->f);
+    table_free(t);
+}

@@ -1,0 +1,147 @@
+/* effort.c: the points of effort.h: best of repeats, Pareto fronts. */
+#include "effort_points.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "studies/runs/memory.h"
+#include "curves.h"
+#include "studies/runs/run_args.h"
+
+static bool is_planar(const char *problem)
+{
+    for (const Info *const *p = engine_2d.problems; *p; p++)
+        if (strcmp((*p)->name, problem) == 0) return true;
+    return false;
+}
+
+/* Instructions of one particle-step, as `make bench` counted them: in 2D, with default integrators;
+ * NAN where it has not. */
+static double instructions(const Table *bench, const Effort *e)
+{
+    char text[256];
+    const Engine *engine;
+    RunSpec spec;
+    if (!bench || !is_planar(e->problem)) return NAN;
+    snprintf(text, sizeof text, "run %s --method %s", e->problem, e->method);
+    if (run_text_resolve(text, &spec, &engine, NULL) || strcmp(spec.integrator, e->integrator) != 0)
+        return NAN;
+    return value_pick(bench, "instructions_avx2", "case=%s", e->method).value;
+}
+
+/* The number of the points that the run moved, times its steps. */
+static double work(const Table *t, int row)
+{
+    const double elements = table_number(t, row, "elements"), steps = table_number(t, row, "steps");
+    const double points = isfinite(elements) ? elements : table_number(t, row, "particles");
+    return points * (steps > 0 ? steps : 1);
+}
+
+/* Is it the same run once more, and did it, too, reach its end? */
+static bool is_repeat(const Table *t, int row, int other)
+{
+    static const char *const same[] = {"problem",    "method", "integrator", "layout",
+                                       "error_linf", "cells",  "ppc"};
+    for (size_t k = 0; k < sizeof same / sizeof *same; k++)
+        if (strcmp(table_text(t, row, same[k]), table_text(t, other, same[k])) != 0) return false;
+    return !is_lost(t, other);
+}
+
+static Effort point(const Table *t, int row, int repeats, const Table *bench)
+{
+    Effort e = {.problem = table_text(t, row, "problem"),
+                .method = table_text(t, row, "method"),
+                .integrator = table_text(t, row, "integrator"),
+                .layout = table_text(t, row, "layout"),
+                .status = table_text(t, row, "status"),
+                .ppc = table_number(t, row, "ppc"),
+                .cells = table_number(t, row, "cells"),
+                .error = table_number(t, row, "error_linf"),
+                .work = work(t, row)};
+    double cpu[16];
+    const int apart = t->nrow / repeats, n = repeats < 16 ? repeats : 16;
+    bool whole = t->nrow % repeats == 0;
+    for (int k = 0; k < n; k++) {
+        cpu[k] = table_number(t, row + k * apart, "cpu_s");
+        whole = whole && cpu[k] > 0 && is_repeat(t, row, row + k * apart);
+    }
+    e.median = median(n, cpu); /* sorts */
+    e.cpu = cpu[0];
+    e.instructions = e.work * instructions(bench, &e);
+    e.usable = whole && e.error > 0;
+    return e;
+}
+
+typedef enum Price { BY_TIME, BY_WORK } Price;
+
+static double price(const Effort *e, Price by)
+{
+    return by == BY_TIME ? e->cpu : e->work;
+}
+
+/* Is there a usable point of the same problem (and method) that costs no more and errs no more? Of
+ * equals the last one stays. */
+static bool is_beaten(const Efforts *all, const Effort *e, Price by, bool by_method)
+{
+    for (const Effort *o = all->list; o < all->list + all->n; o++) {
+        if (o == e || !o->usable || strcmp(o->problem, e->problem) != 0) continue;
+        if (by_method && strcmp(o->method, e->method) != 0) continue;
+        const bool same = price(o, by) >= price(e, by) && o->error >= e->error;
+        if (price(o, by) <= price(e, by) && o->error <= e->error && (!same || o > e)) return true;
+    }
+    return false;
+}
+
+static void mark_fronts(Efforts *all)
+{
+    for (Effort *e = all->list; e < all->list + all->n; e++) {
+        if (!e->usable) continue;
+        e->front = !is_beaten(all, e, BY_TIME, false);
+        e->front_work = !is_beaten(all, e, BY_WORK, false);
+        e->front_own = !is_beaten(all, e, BY_TIME, true);
+        e->front_own_work = !is_beaten(all, e, BY_WORK, true);
+    }
+}
+
+static void cell(FILE *f, double x)
+{
+    if (isfinite(x)) fprintf(f, "%.10g", x);
+    putc(',', f);
+}
+
+static int write_points(const Efforts *all, const char *path, Fault *fault)
+{
+    FILE *f = file_begin(path, fault);
+    if (!f) return FAULT_MACHINE;
+    fputs("problem,method,integrator,layout,status,ppc,cells,error,cpu_s,cpu_median,work,"
+          "instructions,front,front_work,front_own,front_own_work\n",
+          f);
+    for (const Effort *e = all->list; e < all->list + all->n; e++) {
+        fprintf(f, "%s,%s,%s,%s,%s,", e->problem, e->method, e->integrator, e->layout, e->status);
+        const double numbers[] = {e->ppc,    e->cells, e->error,       e->cpu,
+                                  e->median, e->work,  e->instructions};
+        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) cell(f, numbers[k]);
+        fprintf(f, "%d,%d,%d,%d\n", e->front, e->front_work, e->front_own, e->front_own_work);
+    }
+    return file_commit(f, path, fault);
+}
+
+int effort_tables(const Table *rows, int repeats, const char *dir, const char *name, Fault *fault)
+{
+    char path[PATH_TEXT];
+    Efforts all = {0};
+    snprintf(path, sizeof path, "%s/t_03_speed.csv", dir);
+    Table *bench = table_read(path, NULL);
+    for (int row = 0; row < rows->nrow / repeats; row++) {
+        all.list = one_more(all.list, all.n, sizeof *all.list);
+        all.list[all.n++] = point(rows, row, repeats, bench);
+    }
+    mark_fronts(&all);
+    part_path(path, dir, name, "points");
+    int code = write_points(&all, path, fault);
+    part_path(path, dir, name, "reach");
+    if (code == 0) code = reach_write(&all, path, fault);
+    table_free(bench);
+    free(all.list);
+    return code;
+}

@@ -1,0 +1,138 @@
+/* hole.c: see hole.h. */
+#include "hole.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include "studies/runs/memory.h"
+
+static const double radius = 0.5; /* [m], of the hole; the plate is 1 m wide */
+
+/* FEM's mesh: PHYSICS 10. Elements 2 q and 2 q + 1 make quad q, which count across first. */
+int hole_reference_read(HoleReference *r, const char *path, int cells, Fault *fault)
+{
+    *r = (HoleReference){.ni = (int)ceil(0.6 * cells - 1e-9),
+                         .nj = 2 * (int)ceil(M_PI / 4 * 0.7 * cells - 1e-9)};
+    const int quads = r->ni * r->nj;
+    Table *t = table_read(path, fault);
+    if (!t) return FAULT_MACHINE;
+    if (t->nrow == 2 * quads && r->ni > 1) {
+        r->stress = must(malloc(sizeof(double) * (size_t)quads));
+        for (int q = 0; q < quads; q++)
+            r->stress[q] = 0.5e-9 * (table_number(t, 2 * q, "von_mises") +
+                                     table_number(t, 2 * q + 1, "von_mises"));
+    }
+    const int rows = t->nrow;
+    table_free(t);
+    if (r->stress) return 0;
+    return fault_set(fault, FAULT_MACHINE, "%s: %d elements, a mesh of %d cells has %d", path, rows,
+                     cells, 2 * quads);
+}
+
+void hole_reference_free(HoleReference *r)
+{
+    free(r->stress);
+    *r = (HoleReference){0};
+}
+
+/* The interval of `count` middles that x (in steps, from the edge) lies in or is nearest to. */
+static int interval(double x, int count, double *part)
+{
+    int k = (int)floor(x - 0.5);
+    if (k < 0) k = 0;
+    if (k > count - 2) k = count - 2;
+    *part = x - 0.5 - k;
+    return k;
+}
+
+double hole_reference_at(const HoleReference *r, double X, double Y)
+{
+    double a, b;
+    const double angle = atan2(Y, X), edge = 1 / fmax(cos(angle), sin(angle));
+    const int i = interval((hypot(X, Y) - radius) / (edge - radius) * r->ni, r->ni, &a);
+    const int j = interval(angle / (M_PI / 2) * r->nj, r->nj, &b);
+    const double *near = r->stress + j * r->ni + i, *far = near + r->ni;
+    return (1 - b) * ((1 - a) * near[0] + a * near[1]) + b * ((1 - a) * far[0] + a * far[1]);
+}
+
+typedef struct Point {
+    double angle, stress, reference;
+} Point;
+
+static int by_angle(const void *a, const void *b)
+{
+    const Point *x = a, *y = b;
+    return (x->angle > y->angle) - (x->angle < y->angle);
+}
+
+int rim_read(Rim *rim, const char *path, int cells, const HoleReference *r, Fault *fault)
+{
+    Table *t = table_read(path, fault);
+    if (!t) return FAULT_MACHINE;
+    Point *p = must(malloc(sizeof *p * ((size_t)t->nrow + 1)));
+    *rim = (Rim){0};
+    for (int k = 0; k < t->nrow; k++) {
+        const double X = table_number(t, k, "X"), Y = table_number(t, k, "Y");
+        if (table_number(t, k, "surface") > 0) continue;
+        rim->moved =
+            worse(rim->moved, hypot(table_number(t, k, "x") - X, table_number(t, k, "y") - Y));
+        if (hypot(X, Y) - radius > 0.35 / cells + 1e-12) continue;
+        p[rim->n++] = (Point){atan2(Y, X) * 180 / M_PI, 1e-9 * table_number(t, k, "von_mises"),
+                              hole_reference_at(r, X, Y)};
+    }
+    table_free(t);
+    qsort(p, (size_t)rim->n, sizeof *p, by_angle);
+    rim->angle = must(malloc(sizeof(double) * 3 * ((size_t)rim->n + 1)));
+    rim->stress = rim->angle + rim->n;
+    rim->reference = rim->stress + rim->n;
+    for (int k = 0; k < rim->n; k++) {
+        rim->angle[k] = p[k].angle;
+        rim->stress[k] = p[k].stress;
+        rim->reference[k] = p[k].reference;
+    }
+    free(p);
+    return 0;
+}
+
+void rim_free(Rim *rim)
+{
+    free(rim->angle);
+    *rim = (Rim){0};
+}
+
+static double off(const Rim *rim, int k)
+{
+    return rim->stress[k] - rim->reference[k];
+}
+
+double rim_rms(const Rim *rim)
+{
+    double sum = 0;
+    for (int k = 0; k < rim->n; k++) sum += off(rim, k) * off(rim, k);
+    return sqrt(sum / rim->n);
+}
+
+double rim_scatter(const Rim *rim)
+{
+    double sum = 0;
+    for (int k = 0; k < rim->n; k++) {
+        const int from = k > 3 ? k - 3 : 0, to = k + 4 < rim->n ? k + 4 : rim->n;
+        double mean = 0;
+        for (int j = from; j < to; j++) mean += off(rim, j) / (to - from);
+        sum += (off(rim, k) - mean) * (off(rim, k) - mean);
+    }
+    return sqrt(sum / rim->n);
+}
+
+void rim_measure(const char *reference, int fine, const char *path, int cells, Measure *rms,
+                 Measure *scatter)
+{
+    HoleReference r;
+    Rim rim;
+    if (hole_reference_read(&r, reference, fine, NULL)) return;
+    if (rim_read(&rim, path, cells, &r, NULL) == 0) {
+        *rms = measure(rim_rms(&rim), rim.n, rms->needs);
+        *scatter = measure(rim_scatter(&rim), rim.n, scatter->needs);
+        rim_free(&rim);
+    }
+    hole_reference_free(&r);
+}

@@ -1,0 +1,42 @@
+/* hole.h: stress along the hole of the plate: a fine FEM solution as reference, and how far points
+ * near the hole are from it and from each other (PHYSICS 10; W11 fig. 10). Stresses in GPa, angles
+ * in degrees from the x axis. */
+#ifndef MPMLAB_HOLE_H
+#define MPMLAB_HOLE_H
+
+#include "studies/study.h"
+
+/* The reference: von Mises stress of the quads of FEM's mesh, ni across times nj around. */
+typedef struct HoleReference {
+    int ni, nj;
+    double *stress; /* [nj][ni] */
+} HoleReference;
+
+/* Reads what `--elements` wrote for a mesh of `cells` per unit length. 0 or a fault. */
+int hole_reference_read(HoleReference *r, const char *path, int cells, Fault *fault);
+void hole_reference_free(HoleReference *r);
+
+/* At reference position (X, Y): bilinear between the quads' middles in xi (0 on the hole, 1 on the
+ * outer edge, along rays) and angle; linear beyond the outermost. */
+double hole_reference_at(const HoleReference *r, double X, double Y);
+
+/* Points initially within .35 h of the hole, by angle. */
+typedef struct Rim {
+    int n;
+    double *angle, *stress, *reference;
+    double moved; /* [m] largest displacement of any point of the file */
+} Rim;
+
+/* From a file that `--particles` or `--elements` wrote, h = 1/cells. 0 or a fault. */
+int rim_read(Rim *rim, const char *path, int cells, const HoleReference *r, Fault *fault);
+void rim_free(Rim *rim);
+
+double rim_rms(const Rim *rim);     /* of stress less reference */
+double rim_scatter(const Rim *rim); /* rms of that about its mean of seven neighbours in angle */
+
+/* Both of a run of `cells` against the reference of `fine`, into measures that know how many points
+ * they need. */
+void rim_measure(const char *reference, int fine, const char *path, int cells, Measure *rms,
+                 Measure *scatter);
+
+#endif

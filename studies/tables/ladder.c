@@ -1,0 +1,106 @@
+/* ladder.c: see ladder.h. */
+#include "ladder.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "studies/runs/memory.h"
+#include "curves.h"
+
+Grade row_grade(const Table *rows, int row)
+{
+    if (is_lost(rows, row)) return LOST;
+    return strcmp(table_text(rows, row, "status"), "ok") == 0 ? STABLE : GREW;
+}
+
+/* What rows of one ladder have in common; those first that tell most of them apart. */
+static const char *const inputs[] = {"params", "method", "integrator", "ppc",
+                                     "cells",  "layout", "t_end",      "problem"};
+enum { INPUTS = sizeof inputs / sizeof *inputs };
+
+static bool is_same(const Table *rows, const int column[INPUTS], int a, int b)
+{
+    for (int k = 0; k < INPUTS; k++)
+        if (strcmp(rows->cell[a * rows->ncol + column[k]],
+                   rows->cell[b * rows->ncol + column[k]]) != 0)
+            return false;
+    return true;
+}
+
+/* The ladder of a row: the one of the row before it, mostly; or n. */
+static int find(const Ladder *list, int n, int last, const Table *rows, const int column[INPUTS],
+                int row)
+{
+    if (n > 0 && is_same(rows, column, list[last].row[0], row)) return last;
+    int k = 0;
+    while (k < n && !is_same(rows, column, list[k].row[0], row)) k++;
+    return k;
+}
+
+/* In its place; a rung that is there already counts once. */
+static void add_rung(Ladder *l, const Table *rows, int row, Grade grade)
+{
+    const double cfl = table_number(rows, row, "cfl");
+    int at = l->n;
+    while (at > 0 && l->cfl[at - 1] > cfl) at--;
+    if (l->n == MOST_RUNGS || (at > 0 && !(l->cfl[at - 1] < cfl))) return;
+    for (int k = l->n++; k > at; k--) {
+        l->row[k] = l->row[k - 1];
+        l->cfl[k] = l->cfl[k - 1];
+        l->grade[k] = l->grade[k - 1];
+    }
+    l->row[at] = row;
+    l->cfl[at] = cfl;
+    l->grade[at] = grade;
+}
+
+int ladders_read(const Table *rows, Ladder **out)
+{
+    int n = 0, at = 0, column[INPUTS];
+    *out = NULL;
+    for (int k = 0; k < INPUTS; k++)
+        if ((column[k] = table_column(rows, inputs[k])) < 0) return 0;
+    for (int row = 0; row < rows->nrow; row++) {
+        at = find(*out, n, at, rows, column, row);
+        if (at == n) {
+            *out = one_more(*out, n, sizeof **out);
+            (*out)[n++] = (Ladder){0};
+        }
+        add_rung(&(*out)[at], rows, row, row_grade(rows, row));
+    }
+    return n;
+}
+
+double ladder_limit(const Ladder *l, Grade worst, int *first)
+{
+    int k = 0;
+    while (k < l->n && l->grade[k] <= worst) k++;
+    *first = k < l->n ? k : -1;
+    return k > 0 ? l->cfl[k - 1] : 0;
+}
+
+/* The run of a row at another CFL number. */
+static void add_case(Cases *list, const Table *rows, int row, double cfl)
+{
+    static const char *const options[] = {"method", "integrator", "cells", "ppc_asked", "t_end"};
+    static const char *const names[] = {"method", "integrator", "cells", "ppc", "t-end"};
+    char text[2048], params[512], *rest = params;
+    int n = snprintf(text, sizeof text, "run %s --cfl %.17g --set layout=%s",
+                     table_text(rows, row, "problem"), cfl, table_text(rows, row, "layout"));
+    for (int k = 0; k < 5; k++) {
+        const char *value = table_text(rows, row, options[k]);
+        if (*value) n += snprintf(text + n, sizeof text - (size_t)n, " --%s %s", names[k], value);
+    }
+    snprintf(params, sizeof params, "%s", table_text(rows, row, "params"));
+    for (char *set; (set = strtok_r(rest, ";", &rest));)
+        n += snprintf(text + n, sizeof text - (size_t)n, " --set %s", set);
+    case_add(list, "%s", text);
+}
+
+void ladder_split(Cases *list, const Table *rows, const Ladder *l, int k, double relative,
+                  double least)
+{
+    const double high = l->cfl[k + 1], low = k < 0 ? 0 : l->cfl[k], cfl = (low + high) / 2;
+    if (k < 0 ? cfl < least * (1 - 1e-9) : high - low <= relative * high) return;
+    add_case(list, rows, l->row[0], cfl);
+}

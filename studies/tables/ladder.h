@@ -1,0 +1,39 @@
+/* ladder.h: the largest stable time step, from runs that differ in nothing but their CFL number.
+ *
+ * Stability is not always monotone in CFL (tents that cross cells are lost at one and kept at the
+ * next larger one), so that a limit is not where a bisection happens to land: coarse rungs are run
+ * first, all of them; the limit lies between the lowest one that fails and the next below it, and
+ * only this gap is bisected. Below a lowest rung that fails, halves of it are tried. */
+#ifndef MPMLAB_LADDER_H
+#define MPMLAB_LADDER_H
+
+#include "studies/study.h"
+
+/* How a run went: energy never 5 % above its start; finished with more; ended before its time. */
+typedef enum { STABLE, GREW, LOST } Grade;
+
+enum { MOST_RUNGS = 48 };
+
+typedef struct Ladder {
+    int n;                  /* rungs, in ascending order of CFL */
+    int row[MOST_RUNGS];    /* of the table */
+    double cfl[MOST_RUNGS]; /* [-] as asked for */
+    Grade grade[MOST_RUNGS];
+} Ladder;
+
+/* By the status of the row. */
+Grade row_grade(const Table *rows, int row);
+
+/* All ladders of a table in order of their first rows; the caller frees *out. How many. */
+int ladders_read(const Table *rows, Ladder **out);
+
+/* The largest CFL number of a run that is at most `worst`, as all below it are; 0 if the lowest is
+ * not. *first is the rung that is worse, or -1 if none is: then the limit is what was tried. */
+double ladder_limit(const Ladder *l, Grade worst, int *first);
+
+/* Adds the run in the middle between rungs k and k + 1, unless the gap is at most so much of its
+ * upper end. k -1: half of the lowest rung, unless that is below `least`. */
+void ladder_split(Cases *list, const Table *rows, const Ladder *l, int k, double relative,
+                  double least);
+
+#endif

@@ -1,0 +1,204 @@
+/* stability.c: see stability.h. */
+#include "stability.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "ladder.h"
+#include "curves.h"
+
+/* Bits of pairs[]: of the plane cd and uvf, with and without a fresh gradient; T-5 has the others.
+ */
+enum { ALL = 127, CD_UVF = 1 | 8 | 64 };
+
+const Map stability_maps[MAPS] = {
+    {&engine_1d, "sine_bar", {32, 40}, ALL, 0.02, {1, 2, 2.5, 4}, {1e-4, 0.01, 0.05}, 1, 1},
+    {&engine_2d, "axis_mms", {8, 8}, CD_UVF, 0.02, {4, 9}, {0.01, 0.05}, 0, 0},
+};
+const double map_rungs[MAP_RUNGS] = {0.1, 0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6, 2};
+
+bool map_is_usual(const Map *map, const char *method, Pair pair)
+{
+    char usual[16];
+    integrator_default(map->engine, map->problem, method, usual);
+    return !pair.refresh && strcmp(usual, pair.integrator) == 0;
+}
+
+bool map_has_pair(const Map *map, const char *method, int k)
+{
+    if (!(map->pairs >> k & 1) && !map_is_usual(map, method, pairs[k])) return false;
+    return pair_is_run(map->engine, map->problem, method, pairs[k]);
+}
+
+/* Columns that say which method, with what, a ladder is of. */
+static const char place_header[] = "dim,method,integrator,refresh,default,pair,line";
+
+const Map *map_of_row(const Table *rows, int row)
+{
+    const Map *map = stability_maps;
+    while (strcmp(map->problem, table_text(rows, row, "problem")) != 0) map++;
+    return map;
+}
+
+static void write_place(FILE *f, const Table *rows, int row)
+{
+    const Map *map = map_of_row(rows, row);
+    const char *method = table_text(rows, row, "method");
+    const Pair pair = pairs[pair_of_row(rows, row)];
+    int line = 0;
+    while (strcmp(map->engine->methods[line]->name, method) != 0) line++;
+    fprintf(f, "%d,%s,%s,%d,%d,%d,%d,", map->engine->dim, method, pair.integrator, pair.refresh,
+            map_is_usual(map, method, pair), pair_of_row(rows, row), line);
+}
+
+static int index_of(const double *list, double x)
+{
+    for (int k = 0; k < MAP_MOST && list[k] > 0; k++)
+        if (fabs(list[k] - x) <= 1e-9 * x) return k;
+    return -1;
+}
+
+/* Which rung of the map this is, or -1: of a bisection. */
+static int column_of(double cfl)
+{
+    for (int k = 0; k < MAP_RUNGS; k++)
+        if (fabs(map_rungs[k] - cfl) <= 1e-9 * cfl) return k;
+    return -1;
+}
+
+/* A line a rung. Groups of PPC, an amplitude each, are one apart; a mesh has no PPC and stands in
+ * the places of all. */
+static void write_map(FILE *f, const Table *rows, const Ladder *l)
+{
+    const Map *map = map_of_row(rows, l->row[0]);
+    const double A = row_param(rows, l->row[0], "A"),
+                 ppc = table_number(rows, l->row[0], "ppc_asked");
+    int height = 1;
+    while (map->ppc[height - 1] > 0) height++;
+    for (int k = 0; k < l->n; k++)
+        for (int p = 0; map->ppc[p] > 0 && column_of(l->cfl[k]) >= 0; p++) {
+            if (isfinite(ppc) && p != index_of(map->ppc, ppc)) continue;
+            write_place(f, rows, l->row[k]);
+            fprintf(f, "%.10g,%g,%g,%d,%d,%d,%s\n", ppc, A, l->cfl[k], column_of(l->cfl[k]),
+                    index_of(map->A, A) * height + p, l->grade[k],
+                    table_text(rows, l->row[k], "status"));
+        }
+}
+
+/* A line a ladder: both limits, and what ends them. */
+static void write_limits(FILE *f, const Table *rows, const Ladder *l)
+{
+    write_place(f, rows, l->row[0]);
+    fprintf(f, "%s,%g", table_text(rows, l->row[0], "ppc_asked"), row_param(rows, l->row[0], "A"));
+    for (Grade worst = STABLE; worst < LOST; worst++) {
+        int first;
+        fprintf(f, ",%.6g,", ladder_limit(l, worst, &first));
+        if (first < 0)
+            fprintf(f, ",,");
+        else
+            fprintf(f, "%.6g,%s,%s", l->cfl[first], table_text(rows, l->row[first], "status"),
+                    table_text(rows, l->row[first], "reason"));
+    }
+    putc('\n', f);
+}
+
+typedef void Writer(FILE *f, const Table *rows, const Ladder *l);
+
+static int write_ladders(const Table *rows, const char *dir, const char *name, const char *part,
+                         Writer *write, const char *columns, Fault *fault)
+{
+    char path[PATH_TEXT];
+    Ladder *ladders;
+    part_path(path, dir, name, part);
+    const int n = ladders_read(rows, &ladders);
+    FILE *f = file_begin(path, fault);
+    if (f) fprintf(f, "%s,%s\n", place_header, columns);
+    for (int k = 0; f && k < n; k++) write(f, rows, &ladders[k]);
+    free(ladders);
+    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+}
+
+/* The row of least `what` among those that agree with row `first` in the columns; -1 if an earlier
+ * row does, so that each group has one turn. */
+static int least_of_group(const Table *t, int first, const char *what, int n,
+                          const char *const columns[])
+{
+    int best = -1;
+    for (int row = 0; row < t->nrow; row++) {
+        bool same = true;
+        for (int k = 0; k < n && same; k++)
+            same = strcmp(table_text(t, row, columns[k]), table_text(t, first, columns[k])) == 0;
+        if (!same) continue;
+        if (row < first) return -1;
+        if (best < 0 || table_number(t, row, what) < table_number(t, best, what)) best = row;
+    }
+    return best;
+}
+
+/* Over PPC, a line an amplitude. */
+static void write_worst(FILE *f, const Table *limits)
+{
+    static const char *const group[] = {"method", "pair", "amplitude", "dim"};
+    fprintf(f, "%s,amplitude,place,stable,kept\n", place_header);
+    for (int row = 0; row < limits->nrow; row++) {
+        const int s = least_of_group(limits, row, "stable", 4, group);
+        const int k = least_of_group(limits, row, "kept", 4, group);
+        if (s < 0) continue;
+        for (int c = 0; c < 7; c++) fprintf(f, "%s,", limits->cell[row * limits->ncol + c]);
+        const Map *map = &stability_maps[table_number(limits, row, "dim") > 1];
+        const double A = table_number(limits, row, "amplitude");
+        fprintf(f, "%g,%d,%s,%s\n", A, index_of(map->A, A), table_text(limits, s, "stable"),
+                table_text(limits, k, "kept"));
+    }
+}
+
+/* Over PPC and amplitude, with the method's default integrator. */
+static void write_safe(FILE *f, const Table *limits)
+{
+    static const char *const group[] = {"method", "pair", "dim"};
+    fputs("method,integrator,dim,safe_cfl,first_failure\n", f);
+    for (int row = 0; row < limits->nrow; row++) {
+        if (!(table_number(limits, row, "default") > 0)) continue;
+        const int s = least_of_group(limits, row, "stable", 3, group);
+        if (s < 0) continue;
+        fprintf(f, "%s,%s,%s,%s,", table_text(limits, s, "method"),
+                table_text(limits, s, "integrator"), table_text(limits, s, "dim"),
+                table_text(limits, s, "stable"));
+        if (*table_text(limits, s, "failure"))
+            fprintf(f, "%s at CFL %s (PPC %s A %s)", table_text(limits, s, "failure"),
+                    table_text(limits, s, "fails_at"), table_text(limits, s, "ppc"),
+                    table_text(limits, s, "amplitude"));
+        putc('\n', f);
+    }
+}
+
+static int write_summary(const Table *limits, const char *dir, const char *name, const char *part,
+                         void (*write)(FILE *f, const Table *limits), Fault *fault)
+{
+    char path[PATH_TEXT];
+    part_path(path, dir, name, part);
+    FILE *f = file_begin(path, fault);
+    if (f) write(f, limits);
+    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+}
+
+int stability_tables(const char *dir, const char *name, Fault *fault)
+{
+    Table *rows = part_read(dir, name, NULL, fault);
+    int code = rows ? 0 : FAULT_MACHINE;
+    if (!code)
+        code = write_ladders(rows, dir, name, "map", write_map,
+                             "ppc,amplitude,cfl,column,row,grade,status", fault);
+    if (!code)
+        code = write_ladders(rows, dir, name, "limits", write_limits,
+                             "ppc,amplitude,stable,fails_at,failure,reason,kept,lost_at,loss,"
+                             "loss_reason",
+                             fault);
+    table_free(rows);
+    Table *limits = code ? NULL : part_read(dir, name, "limits", fault);
+    code = limits ? 0 : FAULT_MACHINE;
+    if (!code) code = write_summary(limits, dir, name, "worst", write_worst, fault);
+    if (!code) code = write_summary(limits, dir, name, "safe", write_safe, fault);
+    table_free(limits);
+    return code;
+}

@@ -1,0 +1,82 @@
+/* w07_02_shapes.c: the trial functions of MPM and GIMP. Wallstedt and Guilkey (2007), fig. 2.
+ *
+ * S and G = dS/dx_p of the node at 0, for particles half a cell wide (half width l = h/4), sampled
+ * at distances that are whole parts of h, so that sums over neighbouring nodes need no
+ * interpolation. Both add up to 1 everywhere; the tent's gradient jumps at every node, that of GIMP
+ * nowhere. */
+#include <math.h>
+#include "studies/tables/curves.h"
+
+static const char name[] = "w07_02_shapes";
+static const char *const methods[] = {"mpm", "gimp"};
+enum { PARTS = 256, REACH = 3 * PARTS / 2, SAMPLES = 2 * REACH + 1 }; /* of h */
+static const double half_width = 0.25;                                /* [h] */
+
+static void write_shapes(FILE *f)
+{
+    fputs("method,r,S,G\n", f);
+    for (int m = 0; m < 2; m++)
+        for (int k = -REACH; k <= REACH; k++) {
+            double S = NAN, G = NAN, r = k / (double)PARTS;
+            engine_1d.weight(methods[m], r, half_width, &S, &G);
+            fprintf(f, "%s,%.17g,%.17g,%.17g\n", methods[m], r, S, G);
+        }
+}
+
+static int tables(const char *dir, bool quick, Fault *fault)
+{
+    char path[PATH_TEXT];
+    (void)quick;
+    part_path(path, dir, name, NULL);
+    FILE *f = file_begin(path, fault);
+    if (!f) return FAULT_MACHINE;
+    write_shapes(f);
+    return file_commit(f, path, fault);
+}
+
+/* Largest |sum over three nodes - 1| for particles within half a cell of the middle one. */
+static Measure unity(const Curve *S)
+{
+    double worst = 0;
+    for (int k = PARTS; k + PARTS < S->n; k++)
+        worst = worse(worst, fabs(S->y[k - PARTS] + S->y[k] + S->y[k + PARTS] - 1));
+    return with_value(curve_max(S, SAMPLES), worst);
+}
+
+/* Largest change between samples h/256 apart. */
+static Measure jump(const Curve *G)
+{
+    double worst = 0;
+    for (int k = 1; k < G->n; k++) worst = worse(worst, fabs(G->y[k] - G->y[k - 1]));
+    return with_value(curve_max(G, SAMPLES), worst);
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    static const char *const ids[] = {"W07-2.mpm-unity", "W07-2.gimp-unity"};
+    static const char *const says[] = {"MPM's functions add up to 1: largest departure",
+                                       "GIMP's functions add up to 1: largest departure"};
+    Curve curve;
+    (void)dir;
+    for (int m = 0; m < 2; m++) {
+        curve_pick(&curve, rows, "r", "S", "method=%s", methods[m]);
+        claim(c, ids[m], says[m], unity(&curve), 0, 1e-15);
+    }
+    curve_pick(&curve, rows, "r", "G", "method=%s", methods[0]);
+    claim(c, "W07-2.mpm-jump", "the tent's gradient jumps by 2/h at its node", jump(&curve), 1.999,
+          2.001);
+    curve_pick(&curve, rows, "r", "G", "method=%s", methods[1]);
+    claim(c, "W07-2.gimp-smooth",
+          "GIMP is C1: between samples h/256 apart its gradient changes by no more than "
+          "(h/256)/(l h)",
+          jump(&curve), 0, 1.000001 / ((double)PARTS * half_width));
+}
+
+const Study study_w07_02_shapes = {
+    .name = name,
+    .figure = "W07-2",
+    .about = "trial functions of MPM and GIMP (half width h/4) and their gradients",
+    .tables = tables,
+    .check = check,
+    .claims = 4,
+};

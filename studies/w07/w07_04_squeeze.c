@@ -1,0 +1,25 @@
+/* w07_04_squeeze.c: the squeeze test: ever more particles packed evenly into the same cells, so
+ * that they meet the grid at every relative position. Wallstedt and Guilkey (2007), fig. 4
+ * (eq. 3.2). */
+#include "studies/tables/curves.h"
+
+enum { CELLS = 10 };
+
+static void cases(Cases *list, bool quick)
+{
+    static const int counts[] = {5, 10, 13, 20, 27, 36}; /* 0.5 to 3.6 a cell */
+    char file[64];
+    (void)quick;
+    for (int k = 0; k < 6; k++) {
+        snprintf(file, sizeof file, "w07_04_squeeze.%d.csv", counts[k]);
+        case_add_with(list, "particles", file,
+                      "run squeeze --method gimp --cells %d --set particles=%d", CELLS, counts[k]);
+    }
+}
+
+const Study study_w07_04_squeeze = {
+    .name = "w07_04_squeeze",
+    .figure = "W07-4",
+    .about = "the squeeze test: particles in ten cells at several global particles per cell",
+    .cases = cases,
+};

@@ -1,0 +1,113 @@
+/* w07_13_sine_bar.c: convergence of a standing wave after a quarter period, with and without
+ * gradient enhancement. Wallstedt and Guilkey (2007), fig. 13 (eqs 5.1, 5.2).
+ *
+ * Two laws. sigma = E (F - 1) makes the wave equation exact at any amplitude: second order, and the
+ * gradient saves nearly half of the error. With the neo-Hookean law the exact solution is that of
+ * another material: the error tails off at about half the amplitude squared, A^2/2 [m]. */
+#include <math.h>
+#include "studies/tables/curves.h"
+
+enum { MESHES = 9, METHODS = 3, LAWS = 2, PRINTED = 5 };
+static const int cells[MESHES] = {10, 14, 20, 28, 40, 57, 80, 113, 160};
+static const char *const methods[METHODS] = {"mpm", "gimp", "ge_gimp"};
+static const char *const laws[LAWS] = {"linear", "neo_hookean"};
+
+static void cases(Cases *list, bool quick)
+{
+    for (int l = 0; l < LAWS; l++)
+        for (int m = 0; m < METHODS; m++)
+            for (int k = 0; k < MESHES; k += quick ? 4 : 1)
+                case_add(list, "run sine_bar --method %s --cells %d --set law=%s", methods[m],
+                         cells[k], laws[l]);
+}
+
+/* {cells, agreed error, weight}: 5 %, and 10 % on the finest mesh. */
+static const double printed[LAWS][2][PRINTED][3] = {{{{10, 2.920e-2, 1},
+                                                      {20, 7.588e-3, 1},
+                                                      {40, 1.971e-3, 1},
+                                                      {80, 4.659e-4, 1},
+                                                      {160, 1.240e-4, .5}},
+                                                     {{10, 1.543e-2, 1},
+                                                      {20, 4.023e-3, 1},
+                                                      {40, 1.069e-3, 1},
+                                                      {80, 2.463e-4, 1},
+                                                      {160, 6.680e-5, .5}}},
+                                                    {{{10, 2.995e-2, 1},
+                                                      {20, 9.869e-3, 1},
+                                                      {40, 5.921e-3, 1},
+                                                      {80, 5.159e-3, 1},
+                                                      {160, 5.055e-3, .5}},
+                                                     {{10, 1.650e-2, 1},
+                                                      {20, 7.186e-3, 1},
+                                                      {40, 5.433e-3, 1},
+                                                      {80, 5.043e-3, 1},
+                                                      {160, 5.085e-3, .5}}}};
+
+static void pick(Curve *c, const Table *rows, const char *x, int law, int method)
+{
+    curve_pick(c, rows, x, "error_linf", "method=%s params=A=0.01;E=10000;law=%s", methods[method],
+               laws[law]);
+}
+
+/* Mean over the meshes of GE-GIMP's error over GIMP's. */
+static Measure mean_ratio(const Table *rows)
+{
+    Curve gimp, ge;
+    Measure mean = sum_of(2 * MESHES);
+    pick(&gimp, rows, "cells", 0, 1);
+    pick(&ge, rows, "cells", 0, 2);
+    for (int k = 0; k < ge.n; k++) {
+        const Measure ratio = over(measure(ge.y[k], !isnan(ge.y[k]), 1), curve_at(&gimp, ge.x[k]));
+        mean.value += ratio.value / MESHES;
+        mean.rows += ratio.rows;
+    }
+    return mean;
+}
+
+static void check_values(Check *c, const Table *rows)
+{
+    static const char *const ids[LAWS][2] = {
+        {"W07-13.gimp-linear-values", "W07-13.ge-gimp-linear-values"},
+        {"W07-13.gimp-neo-values", "W07-13.ge-gimp-neo-values"}};
+    Curve curve;
+    for (int l = 0; l < LAWS; l++)
+        for (int m = 0; m < 2; m++) {
+            pick(&curve, rows, "cells", l, 1 + m);
+            claim(
+                c, ids[l][m],
+                "largest departure from the agreed errors at 1/10 ... 1/160 (the last counts half)",
+                curve_deviation(&curve, PRINTED, printed[l][m]), 0, 0.05);
+        }
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    Curve curve;
+    (void)dir;
+    check_values(c, rows);
+    pick(&curve, rows, "h", 0, 1);
+    claim(c, "W07-13.gimp-order", "second order for a smooth solution: GIMP, exact law",
+          curve_order(&curve, 0, 1, MESHES), 1.85, 2.05);
+    pick(&curve, rows, "h", 0, 2);
+    claim(c, "W07-13.ge-gimp-order", "second order for a smooth solution: GE-GIMP, exact law",
+          curve_order(&curve, 0, 1, MESHES), 1.85, 2.05);
+    pick(&curve, rows, "h", 0, 0);
+    claim(c, "W07-13.mpm-order", "MPM does not converge, exact law: order",
+          curve_order(&curve, 0, 1, MESHES), -1, 0.5);
+    claim(c, "W07-13.forty-percent",
+          "gradient enhancement saves about forty percent (exact law: 46-47): mean ratio of errors",
+          mean_ratio(rows), 0.50, 0.56);
+    pick(&curve, rows, "cells", 1, 1);
+    claim(c, "W07-13.tail-off",
+          "the neo-Hookean curve tails off at finite strain: GIMP's error at 1/160, over A^2",
+          times(curve_at(&curve, 160), 1 / 0.01), 0.49, 0.53);
+}
+
+const Study study_w07_13_sine_bar = {
+    .name = "w07_13_sine_bar",
+    .figure = "W07-13",
+    .about = "sine bar: convergence in h with and without gradient enhancement, two laws",
+    .cases = cases,
+    .check = check,
+    .claims = 9,
+};

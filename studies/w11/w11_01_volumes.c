@@ -1,0 +1,130 @@
+/* w11_01_volumes.c: how the material's volume is divided: triangles of FEM, boxes of GIMP's
+ * particles, full and cut cells of WLS. Wallstedt and Guilkey (2011), fig. 1. */
+#include <math.h>
+#include <stdlib.h>
+#include "studies/tables/files.h"
+
+static const char name[] = "w11_01_volumes";
+enum { CELLS = 8, FINE = 2000 /* samples a metre */, CORNERS = 200, BOXES = 100 };
+static const double late_inner = 0.375, late_outer = 0.9; /* of the exact solution at 10 ms */
+
+static void cases(Cases *list, bool quick)
+{
+    (void)quick;
+    case_add_with(list, "patches", "w11_01_volumes.fem.csv",
+                  "run ring --method fem --cells %d --t-end .01", CELLS);
+    case_add_with(list, "particles", "w11_01_volumes.gimp.csv",
+                  "run ring --method gimp --cells %d --t-end .01", CELLS);
+    case_add_with(list, "patches", "w11_01_volumes.wls2.csv",
+                  "run ring --method wls2 --cells %d --t-end .01", CELLS);
+    case_add_with(list, "patches", "w11_01_volumes.at_16.csv",
+                  "run ring --method wls2 --cells 16 --set steps=1");
+    case_add_with(list, "patches", "w11_01_volumes.at_32.csv",
+                  "run ring --method wls2 --cells 32 --set steps=1");
+}
+
+/* Sum of the areas of all polygons in a file of patches, over the area there should be. */
+static Measure area_of(const Files *files, const char *part, double right)
+{
+    char path[PATH_TEXT], line[256];
+    double twice = 0, first[2] = {0, 0}, last[2] = {0, 0};
+    int corners = 0;
+    part_path(path, files->dir, name, part);
+    FILE *f = file_kept(files, part) ? fopen(path, "r") : NULL;
+    if (!f) return measure(NAN, 0, CORNERS);
+    while (fgets(line, sizeof line, f)) {
+        int cell, k;
+        double x[2];
+        if (sscanf(line, "%d,%d,%lf,%lf", &cell, &k, &x[0], &x[1]) != 4) continue;
+        corners++;
+        if (k == 0)
+            first[0] = x[0], first[1] = x[1];
+        else /* a fan about the first corner */
+            twice +=
+                (last[0] - first[0]) * (x[1] - first[1]) - (x[0] - first[0]) * (last[1] - first[1]);
+        last[0] = x[0], last[1] = x[1];
+    }
+    fclose(f);
+    return measure(twice / 2 / right, corners, CORNERS);
+}
+
+/* Lays GIMP's boxes (half width h/4 times Fxx, Fyy) onto samples of the plane. */
+static void lay_boxes(const Table *t, unsigned char *times)
+{
+    const double fine = FINE, l = 0.25 / (double)CELLS;
+    for (int row = 0; row < t->nrow; row++) {
+        const double x = table_number(t, row, "x"), y = table_number(t, row, "y");
+        const double a = l * table_number(t, row, "Fxx"), b = l * table_number(t, row, "Fyy");
+        const int i0 = (int)fmax(0, ceil((x - a) * fine - 0.5));
+        const int j0 = (int)fmax(0, ceil((y - b) * fine - 0.5));
+        for (int j = j0; j < FINE && j + 0.5 < (y + b) * fine; j++)
+            for (int i = i0; i < FINE && i + 0.5 < (x + a) * fine; i++) times[j * FINE + i]++;
+    }
+}
+
+/* Gaps and overlaps of the boxes as parts of the exact area. */
+static void count_boxes(const unsigned char *times, double *gaps, double *overlaps)
+{
+    long in = 0, empty = 0, twice = 0;
+    for (int j = 0; j < FINE; j++)
+        for (int i = 0; i < FINE; i++) {
+            const double r = hypot(i + 0.5, j + 0.5) / (double)FINE;
+            const bool inside = r > late_inner && r < late_outer;
+            in += inside;
+            empty += inside && !times[j * FINE + i];
+            twice += times[j * FINE + i] > 1 ? times[j * FINE + i] - 1 : 0;
+        }
+    *gaps = (double)empty / (double)in;
+    *overlaps = (double)twice / (double)in;
+}
+
+static int measure_boxes(const Files *files, double *gaps, double *overlaps)
+{
+    Table *t = file_read(files, "gimp");
+    unsigned char *times = calloc((size_t)FINE * FINE, 1);
+    *gaps = *overlaps = NAN;
+    if (t && times) {
+        lay_boxes(t, times);
+        count_boxes(times, gaps, overlaps);
+    }
+    const int boxes = t ? t->nrow : 0;
+    free(times);
+    table_free(t);
+    return boxes;
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    static const double ring = M_PI / 4 * (1.1 * 1.1 - 0.625 * 0.625); /* at the start */
+    const double late = M_PI / 4 * (late_outer * late_outer - late_inner * late_inner);
+    double gaps, overlaps;
+    Files files;
+    (void)rows;
+    files_open(&files, dir, name);
+    const Measure at_16 = area_of(&files, "at_16", ring), at_32 = area_of(&files, "at_32", ring);
+    claim(c, "W11-1.wls-16",
+          "WLS's cells against the ring's area, N = 16, at the start: relative error",
+          with_value(at_16, fabs(at_16.value - 1)), 0, 3e-5);
+    claim(c, "W11-1.wls-32", "the same at N = 32", with_value(at_32, fabs(at_32.value - 1)), 0,
+          3e-5);
+    const int boxes = measure_boxes(&files, &gaps, &overlaps);
+    claim(c, "W11-1.gimp-gaps", "GIMP's boxes leave gaps: part of the ring at 10 ms, N = 8",
+          measure(gaps, boxes, BOXES), 0.01, 0.04);
+    claim(c, "W11-1.gimp-overlaps", "and overlap: part of the ring covered more than once",
+          measure(overlaps, boxes, BOXES), 0.003, 0.02);
+    note_number(c, "cells", CELLS);
+    note_number(c, "gaps", gaps);
+    note_number(c, "overlaps", overlaps);
+    note_number(c, "error_fem", area_of(&files, "fem", late).value - 1);
+    note_number(c, "error_wls2", area_of(&files, "wls2", late).value - 1);
+    files_close(&files);
+}
+
+const Study study_w11_01_volumes = {
+    .name = name,
+    .figure = "W11-1",
+    .about = "how volume is divided: triangles, GIMP's particles, WLS's cut cells",
+    .cases = cases,
+    .check = check,
+    .claims = 4,
+};

@@ -1,0 +1,100 @@
+/* w11_03_spurious.c: the weight of a node with the trigger weight, and the ring's spurious nodes:
+ * those whose largest weight is at most the trigger, at the start, where the radii are .625
+ * and 1.1. Wallstedt and Guilkey (2011), fig. 3. */
+#include <math.h>
+#include <stdlib.h>
+#include "studies/tables/files.h"
+
+static const char name[] = "w11_03_spurious";
+enum {
+    CELLS = 16,
+    SIDE = CELLS + 5,
+    INNER = 170 /* nodes inside the ring */
+};              /* nodes at 0 .. SIDE - 1 */
+static const double trigger = 0.12;
+
+static void cases(Cases *list, bool quick)
+{
+    (void)quick;
+    case_add_with(list, "particles", "w11_03_spurious.particles.csv",
+                  "run ring --method wls --cells %d --set trigger=%g --set steps=1", CELLS,
+                  trigger);
+}
+
+/* Quadratic spline of a distance in cells. */
+static double spline(double r)
+{
+    const double a = fabs(r);
+    return a < 0.5 ? 0.75 - a * a : a < 1.5 ? 0.5 * (1.5 - a) * (1.5 - a) : 0;
+}
+
+/* Largest weight of any point at its place before the step; images beyond the symmetry lines are
+ * no nearer. */
+static void weigh(const Table *t, double most[SIDE][SIDE])
+{
+    for (int row = 0; row < t->nrow; row++) {
+        const double X = table_number(t, row, "X"), Y = table_number(t, row, "Y"), R = hypot(X, Y);
+        const double stretch = 1 + 0.1 * (6 - 9 * R + 4 * R * R); /* problems/ring.c at t = 0 */
+        const double n = (double)CELLS * stretch, x = n * X, y = n * Y;
+        for (int j = 0; j < SIDE; j++)
+            for (int i = 0; i < SIDE; i++)
+                most[j][i] = worse(most[j][i], spline(x - i) * spline(y - j));
+    }
+}
+
+static void write_nodes(FILE *f, double most[SIDE][SIDE], const char *status)
+{
+    fputs("x,y,most,spurious,status\n", f);
+    for (int j = 0; j < SIDE; j++)
+        for (int i = 0; i < SIDE; i++)
+            if (!(most[j][i] <= 0))
+                fprintf(f, "%.17g,%.17g,%.17g,%d,%s\n", i / (double)CELLS, j / (double)CELLS,
+                        most[j][i], !(most[j][i] > trigger), status);
+}
+
+static int tables(const char *dir, bool quick, Fault *fault)
+{
+    double most[SIDE][SIDE] = {{0}};
+    char path[PATH_TEXT];
+    Files files;
+    (void)quick;
+    Table *t = part_read(dir, name, "particles", fault);
+    if (!t) return FAULT_MACHINE;
+    weigh(t, most);
+    table_free(t);
+    part_path(path, dir, name, "nodes");
+    FILE *f = file_begin(path, fault);
+    if (!f) return FAULT_MACHINE;
+    files_open(&files, dir, name);
+    write_nodes(f, most, file_status(&files, "particles"));
+    files_close(&files);
+    return file_commit(f, path, fault);
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    Table *t = claim_part(c, dir, "nodes");
+    (void)rows;
+    int spurious = 0;
+    Measure inner = sum_of(INNER);
+    for (int row = 0; row < t->nrow; row++) {
+        const double r = hypot(table_number(t, row, "x"), table_number(t, row, "y"));
+        const double is = kept_number(t, row, "spurious");
+        spurious += is > 0;
+        if (r >= 0.625 && r <= 1.1) add_sum(&inner, is);
+    }
+    claim(c, "W11-3.outside", "no node inside the ring is spurious: how many are", inner, 0, 0);
+    note_number(c, "trigger", trigger);
+    note_number(c, "spurious", spurious);
+    table_free(t);
+}
+
+const Study study_w11_03_spurious = {
+    .name = name,
+    .figure = "W11-3",
+    .about = "weight of a node, the trigger weight, and spurious nodes on the ring",
+    .cases = cases,
+    .tables = tables,
+    .check = check,
+    .claims = 1,
+};

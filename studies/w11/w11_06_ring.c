@@ -1,0 +1,172 @@
+/* w11_06_ring.c: convergence on the oscillating ring, in space (N cells over its radius) and in
+ * time (CFL at N = 32), for every method with its usual layout, GIMP with both, beside FEM.
+ * Wallstedt and Guilkey (2011), fig. 6. Errors: eq 38, the largest over all particles and steps. */
+#include <math.h>
+#include "studies/tables/curves.h"
+
+static const int cells[] = {8, 11, 16, 23, 32, 45, 64, 91, 128};
+static const double cfl[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
+enum { MESHES = sizeof cells / sizeof *cells, STEPS = sizeof cfl / sizeof *cfl };
+
+static void one_method(Cases *list, const char *method, const char *more, bool quick)
+{
+    for (int k = 0; k < (quick ? 3 : MESHES); k++)
+        case_add(list, "run ring --method %s --cells %d%s", method, cells[k], more);
+    for (int k = 0; k < STEPS; k++)
+        if (cfl[k] != 0.3) /* that one stands above */
+            case_add(list, "run ring --method %s --cells %d --cfl %g%s", method, quick ? 8 : 32,
+                     cfl[k], more);
+}
+
+static void cases(Cases *list, bool quick)
+{
+    for (const Info *const *m = engine_2d.methods; *m; m++) one_method(list, (*m)->name, "", quick);
+    one_method(list, "gimp", " --set layout=radial", quick);
+}
+
+/* Errors of one method and layout over N at CFL .3. */
+static void errors(Curve *c, const Table *t, const char *method, const char *layout)
+{
+    curve_pick(c, t, "cells", "error_linf", "method=%s layout=%s cfl=0.3", method, layout);
+}
+
+static Measure error_at(const Table *t, const char *method, const char *layout, double n)
+{
+    Curve c;
+    errors(&c, t, method, layout);
+    return curve_at(&c, n);
+}
+
+/* Order over N = from .. to, `meshes` of them. */
+static Measure order(const Table *t, const char *method, const char *layout, double from, double to,
+                     int meshes)
+{
+    Curve c;
+    errors(&c, t, method, layout);
+    return times(curve_order(&c, from, to, meshes), -1);
+}
+
+/* Largest and smallest error of the runs with CFL .05 .. most at N = 32. */
+static Measure ends_in_cfl(const Table *t, const char *method, const char *layout, double most,
+                           double *low)
+{
+    Curve c;
+    Measure high = largest_of(0);
+    *low = INFINITY;
+    for (int k = 0; k < STEPS; k++) high.needs += cfl[k] <= most + 1e-9;
+    curve_pick(&c, t, "cfl", "error_linf", "method=%s layout=%s cells=32", method, layout);
+    for (int k = 0; k < c.n; k++) {
+        if (c.x[k] > most + 1e-9) continue;
+        *low = lesser(*low, c.y[k]);
+        add_largest(&high, c.y[k]);
+    }
+    return high;
+}
+
+/* Largest over smallest error of the runs with CFL .05 .. .5 at N = 32. */
+static Measure spread_in_cfl(const Table *t, const char *method)
+{
+    double low;
+    const Measure high = ends_in_cfl(t, method, "cartesian", 0.5, &low);
+    return times(high, 1 / low);
+}
+
+static void check_fem(Check *c, const Table *t)
+{
+    claim(c, "W11-6.fem-32", "FEM's largest error at N = 32", error_at(t, "fem", "cartesian", 32),
+          0.95 * 3.50e-4, 1.05 * 3.50e-4);
+    claim(c, "W11-6.fem-order", "FEM is of second order",
+          order(t, "fem", "cartesian", 8, 128, MESHES), 1.9, 2.1);
+    claim(c, "W11-6.fem-best", "FEM is the most accurate at N = 32: its error over GIMP's",
+          over(error_at(t, "fem", "cartesian", 32), error_at(t, "gimp", "cartesian", 32)), 0, 0.5);
+}
+
+static void check_gimp(Check *c, const Table *t)
+{
+    const Measure at_32 = error_at(t, "gimp", "cartesian", 32);
+    claim(c, "W11-6.gimp-32", "GIMP's largest error at N = 32, particles on the lattice", at_32,
+          0.9 * 3.04e-3, 1.1 * 3.04e-3);
+    claim(c, "W11-6.gimp-64", "the same at N = 64", error_at(t, "gimp", "cartesian", 64),
+          0.9 * 2.05e-3, 1.1 * 2.05e-3);
+    claim(c, "W11-6.gimp-radial-32", "GIMP's largest error at N = 32, particles fitted to the ring",
+          error_at(t, "gimp", "radial", 32), 0.85 * 5.54e-4, 1.15 * 5.54e-4);
+    claim(c, "W11-6.gimp-order", "GIMP is of first order at best",
+          order(t, "gimp", "cartesian", 8, 128, MESHES), 0.2, 1);
+    claim_differs(
+        c, "W11-6.gimp-layout",
+        "GIMP works best with particles on the lattice: error fitted over error lattice",
+        over(error_at(t, "gimp", "radial", 32), at_32), 1, 100, 0.12, 0.25,
+        "fitted particles are about five times better at N = 32, then stall; both are shown");
+    claim(c, "W11-6.ge-gain",
+          "GE gains nothing on lattice particles: its error over GIMP's at N = 32",
+          over(error_at(t, "ge_gimp", "cartesian", 32), at_32), 1, 1.3);
+    claim(c, "W11-6.gimp-cfl",
+          "GIMP's error does not depend on the time step: largest over smallest, "
+          "CFL .05 to .5",
+          spread_in_cfl(t, "gimp"), 1, 1.1);
+}
+
+/* (largest - smallest)/largest error of the runs with CFL .05 .. .6 at N = 32. */
+static Measure share_in_cfl(const Table *t, const char *method)
+{
+    double low;
+    const Measure high = ends_in_cfl(t, method, "radial", 0.6, &low);
+    return with_value(high, (high.value - low) / high.value);
+}
+
+static void check_wls(Check *c, const Table *t)
+{
+    const Measure at_32 = error_at(t, "wls", "radial", 32);
+    claim(c, "W11-6.wls-32", "WLS's largest error at N = 32", at_32, 0.85 * 7.71e-4,
+          1.15 * 7.71e-4);
+    claim(c, "W11-6.wls-64", "the same at N = 64", error_at(t, "wls", "radial", 64), 0.75 * 2.73e-4,
+          1.25 * 2.73e-4);
+    claim(c, "W11-6.wls-gimp",
+          "WLS is better than GIMP with particles on the lattice: its error over GIMP's, N = 32",
+          over(at_32, error_at(t, "gimp", "cartesian", 32)), 0, 0.5);
+    claim_differs(c, "W11-6.wls-cfl",
+                  "WLS's error is flat in CFL .05 to .6 at N = 32: (largest - smallest)/largest",
+                  share_in_cfl(t, "wls"), 0, 0.10, 0.10, 0.12,
+                  "it falls slowly with a larger step; CFL .05 to .5 is within 6 %");
+}
+
+static void check_wls2(Check *c, const Table *t)
+{
+    claim(c, "W11-6.wls2-32", "WLS2's largest error at N = 32", error_at(t, "wls2", "radial", 32),
+          0, 6.0e-4);
+    claim(c, "W11-6.wls2-64", "the same at N = 64", error_at(t, "wls2", "radial", 64), 0, 1.4e-4);
+    claim(c, "W11-6.wls2-128", "the same at N = 128", error_at(t, "wls2", "radial", 128), 0, 4e-5);
+    claim(c, "W11-6.wls2-order", "WLS2 is of second order: fitted over N = 16 to 64",
+          order(t, "wls2", "radial", 16, 64, 5), 1.8, 2.3);
+    claim(c, "W11-6.wls2-cfl",
+          "WLS2's error falls with a larger step, CFL .05 to .6: (largest - smallest)/largest",
+          share_in_cfl(t, "wls2"), 0, 0.35);
+}
+
+static void check(Check *c, const Table *t, const char *dir)
+{
+    (void)dir;
+    check_fem(c, t);
+    check_gimp(c, t);
+    check_wls(c, t);
+    check_wls2(c, t);
+    claim(c, "W11-6.mpm-order", "MPM does not converge",
+          order(t, "mpm", "cartesian", 8, 128, MESHES), -1, 0.5);
+    note_number(c, "order_gimp_radial", order(t, "gimp", "radial", 8, 128, MESHES).value);
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
+        char name[64];
+        const double lattice = order(t, (*m)->name, "cartesian", 8, 128, MESHES).value;
+        const double fitted = order(t, (*m)->name, "radial", 8, 128, MESHES).value;
+        snprintf(name, sizeof name, "order_%s", (*m)->name);
+        note_number(c, name, isnan(lattice) ? fitted : lattice);
+    }
+}
+
+const Study study_w11_06_ring = {
+    .name = "w11_06_ring",
+    .figure = "W11-6",
+    .about = "ring: convergence in space and in time, every method and FEM",
+    .cases = cases,
+    .check = check,
+    .claims = 20,
+};

@@ -1,0 +1,152 @@
+/* w11_08_disk_energy.c: kinetic, strain and total energy of the disk through two impacts, every
+ * method. Wallstedt and Guilkey (2011), fig. 8. And a moving picture of one of them.
+ *
+ * The disk flies at 45 degrees: kinetic energy is halved when it stands still against the floor at
+ * t ~ .93, and what comes back of it is judged at t = 2.3, before it meets the right wall. */
+#include <math.h>
+#include <string.h>
+#include "studies/tables/files.h"
+
+static const char name[] = "w11_08_disk_energy";
+enum { INSTANTS = 200 }; /* of a history, at least */
+enum { FRAMES = 60, STEPS = 474 /* of the default run; frames are some of them */ };
+static const char *const unilateral[] = {"wls", "wls2", "gimp"};
+
+static void cases(Cases *list, bool quick)
+{
+    const int cells = quick ? 12 : 48;
+    char file[64];
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
+        snprintf(file, sizeof file, "%s.%s.csv", name, (*m)->name);
+        case_add_with(list, "history", file, "run disk_impact --method %s --cells %d", (*m)->name,
+                      cells);
+    }
+    for (int k = 0; k < 3 && method_known(unilateral[k]); k++) {
+        snprintf(file, sizeof file, "%s.%s_unilateral.csv", name, unilateral[k]);
+        case_add_with(list, "history", file,
+                      "run disk_impact --method %s --cells %d --set wall=unilateral", unilateral[k],
+                      cells);
+    }
+    for (int k = 0; k < FRAMES && method_known("wls2"); k++) {
+        snprintf(file, sizeof file, "%s.frame.%d.csv", name, k);
+        case_add_with(list, "particles", file,
+                      "run disk_impact --method wls2 --cells %d --set steps=%d", cells,
+                      1 + k * (STEPS - 1) / (FRAMES - 1) / (quick ? 4 : 1));
+    }
+}
+
+/* Which instant each frame shows: the runs that were to stop early, in their order. */
+static void write_frames(FILE *f, const Table *rows)
+{
+    int frame = 0;
+    fputs("frame,t\n", f);
+    for (int row = 0; row < rows->nrow; row++)
+        if (strstr(table_text(rows, row, "params"), "steps="))
+            fprintf(f, "%d,%.17g\n", frame++,
+                    table_number(rows, row, "steps") * table_number(rows, row, "dt"));
+}
+
+static int tables(const char *dir, bool quick, Fault *fault)
+{
+    char path[PATH_TEXT];
+    (void)quick;
+    part_path(path, dir, name, "frames");
+    Table *rows = part_read(dir, name, NULL, fault);
+    FILE *f = rows ? file_begin(path, fault) : NULL;
+    if (f) write_frames(f, rows);
+    table_free(rows);
+    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+}
+
+/* What one history gives; it must go on to t = 2.3. */
+typedef struct Bounce {
+    double start;  /* E0 [J] */
+    Measure least; /* kinetic energy over E0, before t = 1.6 */
+    double at;     /* and when */
+    Measure over;  /* largest total energy over E0 before 2.3, less 1 */
+    double back;   /* total energy over E0 at t = 2.3 */
+} Bounce;
+
+static Bounce bounce(const Files *files, const char *part)
+{
+    Table *t = file_read(files, part);
+    const double E0 = t && t->nrow ? table_number(t, 0, "total") : NAN;
+    Bounce b = {E0, least_of(INSTANTS), NAN, largest_of(INSTANTS), NAN};
+    double before = NAN, when = NAN;
+    for (int k = 0; t && k < t->nrow; k++) {
+        const double now = table_number(t, k, "t"), kinetic = table_number(t, k, "kinetic") / E0;
+        const double total = table_number(t, k, "total") / E0;
+        if (now < 1.6 && kinetic < b.least.value) b.at = now;
+        if (now < 1.6) add_least(&b.least, kinetic);
+        if (now <= 2.3) add_largest(&b.over, total - 1);
+        if (now >= 2.3 && isnan(b.back))
+            b.back = before + (total - before) * (2.3 - when) / (now - when);
+        before = total;
+        when = now;
+    }
+    table_free(t);
+    return b;
+}
+
+static void check_one(Check *c, const Files *files, const char *method, const char *label,
+                      double low, double high)
+{
+    char id[64], text[128];
+    const Bounce b = bounce(files, method);
+    snprintf(id, sizeof id, "W11-8.half-%s", method);
+    snprintf(text, sizeof text, "%s: kinetic energy falls by half: least of it over E0", label);
+    claim(c, id, text, b.least, 0.52, 0.54);
+    snprintf(id, sizeof id, "W11-8.when-%s", method);
+    snprintf(text, sizeof text, "%s: time of the least kinetic energy [s]", label);
+    claim(c, id, text, with_value(b.least, b.at), 0.90, 0.96);
+    snprintf(id, sizeof id, "W11-8.back-%s", method);
+    snprintf(text, sizeof text, "%s: total energy over E0 at t = 2.3, after the rebound", label);
+    claim(c, id, text, with_value(b.over, b.back), low, high);
+}
+
+/* Largest change of the total energy in one step before t = 2.3, over E0. */
+static Measure largest_jump(const Files *files, const char *part)
+{
+    Table *t = file_read(files, part);
+    Measure most = largest_of(INSTANTS);
+    for (int k = 1; t && k < t->nrow && table_number(t, k, "t") <= 2.3; k++)
+        add_largest(&most, fabs(table_number(t, k, "total") - table_number(t, k - 1, "total")) /
+                               table_number(t, 0, "total"));
+    table_free(t);
+    return most;
+}
+
+static void check(Check *c, const Table *rows, const char *dir)
+{
+    Files files;
+    (void)rows;
+    files_open(&files, dir, name);
+    check_one(c, &files, "wls", "WLS", 0.994, 1.006);
+    check_one(c, &files, "wls2", "WLS2", 0.994, 1.006);
+    check_one(c, &files, "gimp", "GIMP", 0.970, 0.980);
+    claim(c, "W11-8.smooth-wls", "WLS: no jumps: largest change of energy in a step over E0",
+          largest_jump(&files, "wls"), 0, 0.01);
+    claim(c, "W11-8.smooth-gimp", "GIMP: the same", largest_jump(&files, "gimp"), 0, 0.01);
+    claim(c, "W11-8.unilateral",
+          "a wall that lets go halves WLS's overshoot of energy: ratio of largest total less E0",
+          over(bounce(&files, "wls_unilateral").over, bounce(&files, "wls").over), 0, 0.65);
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
+        char note[64];
+        const Bounce b = bounce(&files, (*m)->name);
+        snprintf(note, sizeof note, "back_%s", (*m)->name);
+        note_number(c, note, b.back);
+        snprintf(note, sizeof note, "start_%s", (*m)->name);
+        note_number(c, note, b.start);
+    }
+    files_close(&files);
+}
+
+const Study study_w11_08_disk_energy = {
+    .name = name,
+    .figure = "W11-8",
+    .about = "disk: kinetic, strain and total energy through two impacts, every method",
+    .cases = cases,
+    .tables = tables,
+    .check = check,
+    .claims = 12,
+};

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# example.sh FOLDER: README's worked example, done as a reader would in a copy of the tree below FOLDER:
+# start a method, fill it in, build, run it, and find it in lists and in studies. Then what
+# new-method refuses. Prints what failed, then "N passed, N failed"; status 1 if any did.
+set -u
+# shellcheck source=tests/cli/checks.sh
+source "$(dirname "$0")/checks.sh"
+unset MAKEFLAGS MFLAGS MAKEOVERRIDES # the copy is built with its own settings
+root=$(realpath "$(dirname "$0")/../..")
+mkdir -p "$1"
+tree=$(realpath "$1")/tree
+unchanged() { # TEXT ARGUMENT...: one line with the text in it, status 2, nothing written
+    local text=$1 before
+    shift
+    before=$(find methods -type f -exec cksum {} + | cksum)
+    refused "new-method $*" 2 "$text" new-method "$@"
+    ok "new-method $*: writes nothing" test "$before" = "$(find methods -type f -exec cksum {} + | cksum)"
+}
+compile() { # [TARGET]
+    make -s -j"$(nproc)" OPT='-O1 -march=native -Wno-maybe-uninitialized' "${1:-all}" >log 2>&1 ||
+        { head -n 20 log >&2; false; }
+}
+invariants() { # DIM: the tests of the core, which find it in the list of methods
+    compile "build/tests/core_$1d" || return 1
+    OMP_WAIT_POLICY=passive "build/tests/core_$1d" >log || { grep -A 3 'had failures' log >&2; false; }
+}
+
+rm -rf "$tree"
+mkdir -p "$tree"
+cp -r "$root"/{Makefile,common,methods,problems,fem_ref,studies,plots,tests} "$tree/"
+cd "$tree" || exit 1
+program=build/mpmlab
+ok "the copy compiles" compile
+ok "new-method" "$program" new-method rpic
+ok "names both files" grep -qx 'METHOD(rpic)' methods/methods.def
+cp methods/rpic.c template.c
+"$program" new-method second >out && rm methods/second.c && sed -i '/second/d' methods/methods.def
+cp tests/methods/example_method.c methods/rpic.c
+ok "the example compiles" compile
+ok "is listed" grep -q "^method.rpic.1,2" <("$program" list methods)
+ok "is described" grep -q 'Jiang' <("$program" describe rpic)
+ok "runs in 1D" grep -q ',ok,' <("$program" run bar --method rpic)
+ok "runs in 2D" grep -q ',ok,' <("$program" run ring --method rpic --cells 16)
+ok "stands in the ring's study" "$program" study w11_06_ring --quick --method rpic
+ok "with its rows" grep -q ',rpic,' build/out/quick/w11_06_ring.csv
+ok "every invariant holds for it in 2D" invariants 2
+unchanged "no method has" rpic
+unchanged "no method has" gimp
+unchanged "no method has" fem
+unchanged "takes at most 31" 2nd
+unchanged "takes at most 31" Upper
+unchanged "takes at most 31" ../evil
+unchanged "takes at most 31" 'a b'
+unchanged "takes at most 31" ''
+unchanged "takes at most 31" a23456789012345678901234567890123
+unchanged "one name only" a b
+cp template.c methods/rpic.c # what new-method writes compiles and runs as it is: GIMP
+ok "the template compiles" compile
+"$program" run ring --cells 8 --method gimp | tail -n 1 | cut -d, -f12 >gimp
+"$program" run ring --cells 8 --method rpic | tail -n 1 | cut -d, -f12 >rpic
+ok "the template is GIMP" cmp -s gimp rpic
+verdict

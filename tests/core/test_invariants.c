@@ -1,0 +1,311 @@
+/* test_invariants.c: what holds for every method and integrator on a free block: conservation,
+ * mirror symmetry, independence of threads, of empty space and of what stands in padding and unused
+ * nodes. */
+#include <stdlib.h>
+#include <string.h>
+#include "tests/fixture.h"
+
+/* By dimension; several blocks of rows, half-filled chunks. */
+static const Case blocks[] = {{1, "free_block", 200, 2, 0, NULL},
+                              {2, "free_block", 20, 4, 0, NULL}};
+
+/* Their edges midway between nodes. */
+static const Case between[] = {{1, "free_block", 200, 2, 0, "box=1.505"},
+                               {2, "free_block", 20, 4, 0, "box=1.55"}};
+
+/* Particles on nodes: a third of them along an axis; all, edges and corners included. */
+enum { ON_NODES = 2 };
+static const Case on_nodes[][ON_NODES] = {
+    {{1, "free_block", 200, 3, 0.1, "box=1.505"}, {1, "free_block", 200, 1, 0.1, "box=1.505"}},
+    {{2, "free_block", 20, 9, 0.1, "box=1.55"}, {2, "free_block", 20, 1, 0.1, "box=1.55"}}};
+
+static const Case *block(void)
+{
+    return &blocks[DIM - 1];
+}
+
+typedef void Check(Rig *r);
+
+/* Runs a check over every pair, in every variant, with and without refresh where it matters. */
+static void for_cases(const Case *scene, Check *check)
+{
+    char set[VARIANT_TEXT];
+    FOR_METHODS(m) for (int k = 0; k < VARIANTS; k++) FOR_INTEGRATORS(i) for (int f = 0; f < 2; f++)
+    {
+        Rig r;
+        if (f && i != UVF && i != MUSL) continue;
+        if (!rig_variant(*m, k, f ? "allow_unstable=1;refresh=1" : "allow_unstable=1", set))
+            continue;
+        CU_ASSERT_FATAL(rig_plan(&r, scene, (*m)->info.name, i, set));
+        check(&r);
+    }
+}
+
+static void for_pairs(Check *check)
+{
+    for_cases(block(), check);
+}
+
+/* ---- conservation */
+
+/* Momentum, and sum m |v| for its scale. */
+static double momentum_of(const double *s, int n, Vec out)
+{
+    double size = 0;
+    for (int d = 0; d < DIM; d++) out[d] = 0;
+    for (int k = 0; k < n; k++)
+        for (int d = 0; d < DIM; d++) {
+            out[d] += s[AT_M * n + k] * s[(AT_V + d) * n + k];
+            size += fabs(s[AT_M * n + k] * s[(AT_V + d) * n + k]);
+        }
+    return size;
+}
+
+static void check_momentum(Rig *r)
+{
+    Vec before, after;
+    if (r->plan.setup.method->assemble)
+        return; /* integrals over cells keep it to their own error */
+    Sim *sim = rig_sim(r);
+    const int n = sim->p.count;
+    double *start = rig_state(sim);
+    CU_ASSERT_FATAL(rig_steps(r, sim, 0, 20));
+    double *end = rig_state(sim), size = momentum_of(start, n, before);
+    momentum_of(end, n, after);
+    for (int d = 0; d < DIM; d++) CHECK_CLOSE(after[d], before[d], 1e-12 * size);
+    CU_ASSERT(rig_distance(start, end, n, false) > 1e-3); /* it did move */
+    for (int k = 0; k < n; k++) CU_ASSERT(start[AT_M * n + k] == end[AT_M * n + k]);
+    free(start), free(end);
+    sim_free(sim);
+}
+
+static void test_momentum(void)
+{
+    for_pairs(check_momentum);
+    for (int k = 0; k < ON_NODES; k++) for_cases(&on_nodes[DIM - 1][k], check_momentum);
+}
+
+/* The nodes carry the block's mass, rho times its volume, after any step. */
+static void check_mass(Rig *r)
+{
+    Nodes nodes;
+    if (r->plan.setup.method->assemble) return; /* cells round the corners */
+    r->plan.setup.snapshot_nodes = true;
+    void *core = particle_solver.make(&r->plan.setup, &r->fault);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(core);
+    for (int k = 0; k < 8; k++) {
+        double mass = 0;
+        CU_ASSERT_FATAL(particle_solver.step(core, k * r->dt, r->dt, k == 0).code == OK);
+        particle_solver.nodes(core, &nodes);
+        for (int i = 0; i < nodes.n; i++) mass += nodes.m[i];
+        CHECK_CLOSE(mass, r->plan.scene.mat.rho, 1e-11); /* a unit block; empty nodes hold 1e-12 */
+    }
+    particle_solver.free(core);
+}
+
+static void test_mass(void)
+{
+    for_pairs(check_mass);
+}
+
+/* ---- mirror symmetry: a mirrored start gives the mirrored result */
+
+static void mirror_fields(double *const field[FIELDS], int n, int axis, double width)
+{
+    for (int k = 0; k < n; k++) {
+        field[AT_X0 + axis][k] = width - field[AT_X0 + axis][k];
+        field[AT_X + axis][k] = width - field[AT_X + axis][k];
+        field[AT_V + axis][k] *= -1;
+        if (field[AT_N]) field[AT_N + axis][k] *= -1;
+        for (int a = 0; a < DIM; a++)
+            for (int b = 0; b < DIM; b++)
+                if ((a == axis) != (b == axis)) {
+                    field[AT_F + a * DIM + b][k] *= -1;
+                    if (field[AT_L]) field[AT_L + a * DIM + b][k] *= -1;
+                }
+    }
+}
+
+/* Sums run backwards: round-off alone, a few ulp a step. The scale of L is that of its terms, v/h,
+ * of moments v h. */
+static void mirror_both(Rig *r, int steps)
+{
+    const double width = r->plan.scene.hi[0];
+    const Method *method = r->plan.setup.method;
+    for (int axis = 0; axis < DIM; axis++) {
+        Sim *plain = rig_sim(r), *turned = rig_sim(r);
+        const int n = plain->p.count;
+        double *field[FIELDS];
+        mirror_fields(turned->p.field, n, axis, width);
+        CU_ASSERT_FATAL(rig_steps(r, plain, 0, steps) && rig_steps(r, turned, 0, steps));
+        double *a = rig_state(plain), *b = rig_state(turned);
+        for (int f = 0; f < FIELDS; f++) field[f] = b + f * n;
+        mirror_fields(field, n, axis, width);
+        CU_ASSERT(rig_distance(a, b, n, false) < 1e-14);
+        const double size_v = rig_size(a, n, AT_V, DIM), h = r->plan.scene.cell;
+        if (method->keeps_L)
+            CU_ASSERT(rig_gap(a, b, n, AT_L, NMAT) <
+                      1e-14 * (method->moments ? size_v * h : size_v / h));
+        free(a), free(b);
+        sim_free(plain), sim_free(turned);
+    }
+}
+
+static void check_mirror(Rig *r)
+{
+    mirror_both(r, 5);
+}
+
+/* One step, from the nodes: just beside them, the small mass of the next node makes a thousand ulps
+ * of one. (WLS returns through the cell above a node; of GIMP's boxes some end on nodes.) */
+static void check_tent_mirror(Rig *r)
+{
+    const Method *m = r->plan.setup.method;
+    if (!m->smooth && !m->assemble) mirror_both(r, 1);
+}
+
+static void test_mirror(void)
+{
+    for_cases(&between[DIM - 1], check_mirror);
+    for_cases(&on_nodes[DIM - 1][1], check_tent_mirror);
+}
+
+/* ---- threads */
+
+static double *run_threads(Rig *r, int threads)
+{
+    r->plan.setup.threads = threads;
+    Sim *sim = rig_sim(r);
+    CU_ASSERT_FATAL(rig_steps(r, sim, 0, 20));
+    CU_ASSERT(sim->nblock >= 3);
+    double *state = rig_state(sim);
+    sim_free(sim);
+    return state;
+}
+
+static void check_threads(Rig *r)
+{
+    double *one = run_threads(r, 1);
+    const size_t bytes = sizeof(double) * FIELDS;
+    Sim *sim = rig_sim(r);
+    for (int threads = 2; threads <= 4; threads++) {
+        double *many = run_threads(r, threads);
+        CU_ASSERT(memcmp(one, many, bytes * (size_t)sim->p.count) == 0);
+        free(many);
+    }
+    free(one);
+    sim_free(sim);
+}
+
+static void test_threads(void)
+{
+    for_pairs(check_threads);
+    for_cases(&on_nodes[DIM - 1][0], check_threads);
+}
+
+/* Every column but the timings. */
+static void test_thread_rows(void)
+{
+    FOR_METHODS(m)
+    {
+        Row one, many;
+        Fault fault;
+        char a[ROW_TEXT], b[ROW_TEXT];
+        RunSpec spec = rig_spec(block(), (*m)->info.name, NULL, "steps=20");
+        CU_ASSERT_FATAL(run_spec(&spec, &one, &fault) == 0);
+        spec.threads = 3;
+        CU_ASSERT_FATAL(run_spec(&spec, &many, &fault) == 0);
+        CHECK_TEXT(one.status, "ok");
+        for (int k = 0; k < row_columns(); k++) {
+            row_cell(&one, k, a), row_cell(&many, k, b);
+            if (!row_column_is_timing(k)) CHECK_TEXT(a, b);
+        }
+    }
+}
+
+/* ---- empty space: twice the box, the same block (on the same lines of the grid) */
+
+static void check_empty_space(Rig *r)
+{
+    Rig wide = {.spec = r->spec, .dt = r->dt};
+    CU_ASSERT_FATAL(spec_set(&wide.spec, "box=3", NULL) == 0);
+    CU_ASSERT_FATAL(plan_make(&wide.spec, &wide.plan, &wide.fault) == 0);
+    const double moved = 0.5 * (wide.plan.scene.hi[0] - r->plan.scene.hi[0]);
+    Sim *small = rig_sim(r), *large = rig_sim(&wide);
+    const int n = small->p.count;
+    CU_ASSERT_FATAL(large->p.count == n);
+    CU_ASSERT_FATAL(rig_steps(r, small, 0, 10) && rig_steps(&wide, large, 0, 10));
+    double *a = rig_state(small), *b = rig_state(large);
+    for (int k = 0; k < DIM * n; k++) b[AT_X * n + k] -= moved;
+    CU_ASSERT(rig_distance(a, b, n, false) < 1e-12); /* positions round off differently */
+    CU_ASSERT(small->nodes == large->nodes);
+    free(a), free(b);
+    sim_free(small), sim_free(large);
+}
+
+static void test_empty_space(void)
+{
+    for_pairs(check_empty_space);
+}
+
+/* ---- what must never be read: nodes outside the spans, the motion of padding */
+
+static void poison(Sim *sim)
+{
+    const Particles *p = &sim->p;
+    const Grid *g = &sim->g;
+    double *lane = (double *)g->node;
+    for (size_t i = 0; i < (size_t)g->rows * (size_t)g->n[0] * LANES; i++) lane[i] = NAN;
+    for (int s = 0; s < p->n; s++) {
+        if (p->id[s] >= 0) continue;
+        CU_ASSERT(!(p->field[AT_M][s] > 0) && !(p->field[AT_VOL][s] > 0));
+        for (int d = 0; d < DIM; d++) p->field[AT_V + d][s] = 1e6;
+    }
+}
+
+static void check_poison(Rig *r)
+{
+    Sim *clean = rig_sim(r), *dirty = rig_sim(r);
+    sim_sort(dirty); /* so that there is padding */
+    CU_ASSERT(dirty->p.n > dirty->p.count);
+    for (int k = 0; k < 20; k++) {
+        poison(dirty);
+        CU_ASSERT_FATAL(rig_steps(r, clean, k, k + 1) && rig_steps(r, dirty, k, k + 1));
+    }
+    double *a = rig_state(clean), *b = rig_state(dirty);
+    CU_ASSERT(memcmp(a, b, sizeof(double) * FIELDS * (size_t)clean->p.count) == 0);
+    free(a), free(b);
+    sim_free(clean), sim_free(dirty);
+}
+
+static void test_poison(void)
+{
+    for_pairs(check_poison);
+    for_cases(&on_nodes[DIM - 1][0], check_poison);
+}
+
+/* Stencils wider than three nodes, and a block so fast that it drifts a cell between two sorts. */
+static void test_poison_wide(void)
+{
+    const Case wide[] = {{1, "free_block", 100, 0.7, 0, "drift=6;box=2"},
+                         {2, "free_block", 12, 1, 0, "drift=4;swing=3;box=2"}};
+    FOR_METHODS(m)
+    {
+        Rig r;
+        CU_ASSERT_FATAL(rig_plan(&r, &wide[DIM - 1], (*m)->info.name, UVF, "allow_unstable=1"));
+        check_poison(&r);
+    }
+}
+
+extern const TestCase invariants_tests[];
+const TestCase invariants_tests[] = {
+    {"momentum", test_momentum},
+    {"mass", test_mass},
+    {"mirrored scenes", test_mirror},
+    {"bitwise the same on any number of threads", test_threads},
+    {"rows of several threads", test_thread_rows},
+    {"empty space changes nothing", test_empty_space},
+    {"unused nodes and padding are never read", test_poison},
+    {"nor with wide stencils", test_poison_wide},
+    {NULL, NULL},
+};

@@ -1,0 +1,153 @@
+/* test_material.c: the logarithm of chunks, stress against stored energy, rotations. */
+#include <stdlib.h>
+#include "common/contract/chunk_log.h"
+#include "tests/fixture.h"
+
+enum { NUMBERS = 200000 };
+
+static double ulps(double x)
+{
+    const long double exact = logl((long double)x);
+    const double ulp = nextafter(fabs((double)exact), INFINITY) - fabs((double)exact);
+    return (double)fabsl((long double)log_one(x) - exact) / ulp;
+}
+
+/* All magnitudes, J near 1 down to the last bits, and around the cut at sqrt(1/2). */
+static void test_log(void)
+{
+    double worst = 0;
+    for (int k = 0; k < NUMBERS; k++) {
+        worst = fmax(worst, ulps(exp2(rig_random(-1020, 1020))));
+        worst = fmax(worst, ulps(1 + rig_random(-1, 1) * exp2(-rig_random(1, 52))));
+        worst = fmax(worst, ulps(rig_random(0.7, 0.72)));
+    }
+    CU_ASSERT(worst <= 1.5);
+    CU_ASSERT(log_one(1) == 0);
+    CU_ASSERT(isnan(log_one(0)) && isnan(log_one(-1)) && isnan(log_one(NAN)));
+}
+
+static void test_log_n(void)
+{
+    double x[CHUNK + 3], y[CHUNK + 3];
+    for (int k = 0; k < COUNT(x); k++) x[k] = rig_random(0.1, 3);
+    log_n(COUNT(x), x, y);
+    for (int k = 0; k < COUNT(x); k++) CHECK_CLOSE(y[k], log(x[k]), 1e-15);
+}
+
+static double energy(const Material *m, const Mat F)
+{
+    const double *f[NMAT];
+    double psi;
+    for (int k = 0; k < NMAT; k++) f[k] = &F[k];
+    stored_energy(m, 1, f, &psi);
+    return psi;
+}
+
+/* dpsi/dF_k by central differences of sixth order, e = 1e-2: e^6 d7psi and 1e-16/e are below 1e-11.
+ */
+static double first_stress(const Material *m, const Mat F, int k)
+{
+    static const double weight[] = {3.0 / 4, -3.0 / 20, 1.0 / 60};
+    const double e = 2e-3;
+    double sum = 0;
+    for (int n = 1; n <= 3; n++)
+        for (int side = -1; side <= 1; side += 2) {
+            Mat at;
+            for (int j = 0; j < NMAT; j++) at[j] = F[j] + (j == k ? side * n * e : 0);
+            sum += side * weight[n - 1] * energy(m, at) / e;
+        }
+    return sum;
+}
+
+/* 64 deformations, none far from I, in the arrays that kirchhoff wants. */
+static void deformations(Field F[NMAT], const double *f[NMAT])
+{
+    for (int k = 0; k < NMAT; k++) {
+        f[k] = F[k];
+        for (int p = 0; p < CHUNK; p++) F[k][p] = (k % (DIM + 1) == 0) + rig_random(-0.2, 0.2);
+    }
+}
+
+/* T = P F^T, P = dpsi/dF. */
+static void test_stress(void)
+{
+    Field F[NMAT], T[NMAT];
+    const double *f[NMAT];
+    for (int law = NEO_HOOKEAN; law <= LINEAR; law++) {
+        const Material m = material_make((Law)law, 2, DIM == 1 ? 0 : 0.3, 1);
+        deformations(F, f);
+        kirchhoff(&m, f, T);
+        for (int p = 0; p < CHUNK; p++)
+            for (int a = 0; a < DIM; a++)
+                for (int b = 0; b < DIM; b++) {
+                    Mat own;
+                    double t = 0;
+                    for (int k = 0; k < NMAT; k++) own[k] = F[k][p];
+                    for (int k = 0; k < DIM; k++)
+                        t += first_stress(&m, own, a * DIM + k) * own[b * DIM + k];
+                    CHECK_CLOSE(T[a * DIM + b][p], t, 1e-9);
+                }
+    }
+}
+
+/* A turn in the first plane stores nothing; and I is free of stress in both laws. */
+static void test_rotation(void)
+{
+    Field F[NMAT], T[NMAT];
+    const double *f[NMAT];
+    for (int k = 0; k < NMAT; k++) f[k] = F[k];
+    for (int law = NEO_HOOKEAN; law <= LINEAR; law++) {
+        const Material m = material_make((Law)law, 2, DIM == 1 ? 0 : 0.3, 1);
+        for (int p = 0; p < CHUNK; p++) {
+            const double angle = law == LINEAR || DIM == 1 ? 0 : p, c = cos(angle), s = sin(angle);
+            for (int k = 0; k < NMAT; k++) F[k][p] = k % (DIM + 1) == 0;
+            F[0][p] = c, F[NMAT == 1 ? 0 : DIM + 1][p] = c;
+            if (DIM > 1) F[1 % NMAT][p] = -s, F[DIM % NMAT][p] = s;
+        }
+        kirchhoff(&m, f, T);
+        for (int k = 0; k < NMAT; k++)
+            for (int p = 0; p < CHUNK; p++) CHECK_CLOSE(T[k][p], 0, 1e-14);
+    }
+}
+
+/* Plane strain: along an axis of the plane that is not strained, stress is that across the plane.
+ */
+static void test_out_of_plane(void)
+{
+    for (int law = NEO_HOOKEAN; law <= LINEAR; law++) {
+        const Material m = material_make((Law)law, 2, DIM == 1 ? 0 : 0.3, 1);
+        for (double s = 0.7; s < 1.5; s += 0.1) {
+            Field F[NMAT], T[NMAT];
+            const double *f[NMAT];
+            Mat own;
+            for (int k = 0; k < NMAT; k++) {
+                f[k] = F[k];
+                own[k] = k == 0 ? s : k % (DIM + 1) == 0;
+                for (int p = 0; p < CHUNK; p++) F[k][p] = own[k];
+            }
+            kirchhoff(&m, f, T);
+            CHECK_CLOSE(out_of_plane_stress(&m, own), DIM == 1 ? 0 : T[NMAT - 1][0] / s, 1e-14);
+        }
+    }
+}
+
+static void test_speeds(void)
+{
+    const Material m = material_make(NEO_HOOKEAN, 1e4, DIM == 1 ? 0 : 0.3, 2);
+    const double nu = DIM == 1 ? 0 : 0.3;
+    CHECK_CLOSE(m.mu, 5e3 / (1 + nu), 1e-9);
+    CHECK_CLOSE(m.lambda, 1e4 * nu / ((1 + nu) * (1 - 2 * nu)), 1e-9);
+    CHECK_CLOSE(wave_speed_bar(&m), sqrt(5e3), 1e-12);
+    CU_ASSERT(wave_speed_p(&m) < wave_speed_bound(&m));
+}
+
+extern const TestCase material_tests[];
+const TestCase material_tests[] = {
+    {"logarithm to 1.5 ulp", test_log},
+    {"logarithms of many", test_log_n},
+    {"stress is the derivative of stored energy", test_stress},
+    {"rest and rotation are free of stress", test_rotation},
+    {"stress across the plane", test_out_of_plane},
+    {"Lame constants and wave speeds", test_speeds},
+    {NULL, NULL},
+};

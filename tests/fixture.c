@@ -1,0 +1,155 @@
+/* fixture.c: see fixture.h. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "fixture.h"
+
+static void set_all(RunSpec *spec, const char *list)
+{
+    char pair[128];
+    while (list && *list) {
+        const size_t n = strcspn(list, ";");
+        CU_ASSERT_FATAL(n < sizeof pair);
+        memcpy(pair, list, n);
+        pair[n] = 0;
+        CU_ASSERT(spec_set(spec, pair, NULL) == 0);
+        list += n + (list[n] == ';');
+    }
+}
+
+RunSpec rig_spec(const Case *c, const char *method, const char *integrator, const char *more)
+{
+    RunSpec spec = {.cells = c->cells, .ppc = c->ppc, .cfl = c->cfl};
+    strcpy(spec.problem, c->problem);
+    if (method) strcpy(spec.method, method);
+    if (integrator) strcpy(spec.integrator, integrator);
+    set_all(&spec, c->set);
+    set_all(&spec, more);
+    return spec;
+}
+
+bool rig_plan(Rig *r, const Case *c, const char *method, Integrator integrator, const char *more)
+{
+    r->fault = (Fault){0};
+    r->spec = rig_spec(c, method, integrator_names[integrator], more);
+    if (plan_make(&r->spec, &r->plan, &r->fault)) return false;
+    r->dt = r->plan.cfl * r->plan.scene.cell / r->plan.scene.c;
+    return true;
+}
+
+void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator integrator,
+               int cells, double ppc)
+{
+    char why[128];
+    *r = (Rig){.plan = {.scene = {.problem = problem, .cell = 1.0 / cells}}};
+    Plan *plan = &r->plan;
+    plan->scene.par = plan->problem_par;
+    CU_ASSERT_FATAL(problem->init(&plan->scene, why) == 0);
+    const Param *own = method->info.params;
+    for (int k = 0; own && own[k].name; k++) plan->method_par[k] = own[k].value;
+    plan->setup = (Setup){.scene = &plan->scene,
+                          .method = method,
+                          .method_par = plan->method_par,
+                          .integrator = integrator,
+                          .cells = cells,
+                          .ppc = ppc,
+                          .snapshot_nodes = true,
+                          .threads = 1};
+    plan->solver = &particle_solver;
+    for (const Param *p = method->info.params; p && p->name; p++)
+        plan->method_par[p - method->info.params] = p->value;
+    r->dt = problem->cfl * plan->scene.cell / plan->scene.c;
+}
+
+Sim *rig_sim(Rig *r)
+{
+    Sim *sim = sim_new(&r->plan.setup, &r->fault);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(sim);
+    return sim;
+}
+
+bool rig_steps(const Rig *r, Sim *sim, int from, int to)
+{
+    for (int k = from; k < to; k++)
+        if (sim_step(sim, k * r->dt, r->dt, k == 0).code != OK) return false;
+    return true;
+}
+
+double *rig_state(const Sim *sim)
+{
+    const Particles *p = &sim->p;
+    const size_t count = (size_t)p->count;
+    double *state = calloc(FIELDS * count + 1, sizeof *state);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(state);
+    for (int f = 0; f < FIELDS; f++)
+        for (int s = 0; s < p->n && p->field[f]; s++)
+            if (p->id[s] >= 0) state[(size_t)f * count + (size_t)p->id[s]] = p->field[f][s];
+    return state;
+}
+
+double rig_gap(const double *a, const double *b, int count, int field, int components)
+{
+    double most = 0;
+    for (int k = field * count; k < (field + components) * count; k++)
+        most = fabs(a[k] - b[k]) <= most ? most : fabs(a[k] - b[k]);
+    return most;
+}
+
+double rig_size(const double *a, int count, int field, int components)
+{
+    double most = 0;
+    for (int k = field * count; k < (field + components) * count; k++)
+        most = fabs(a[k]) <= most ? most : fabs(a[k]);
+    return most;
+}
+
+double rig_distance(const double *a, const double *b, int count, bool L)
+{
+    const int group[][2] = {{AT_X, DIM}, {AT_V, DIM}, {AT_F, NMAT}, {AT_L, NMAT}};
+    double most = 0;
+    for (int g = 0; g < (L ? 4 : 3); g++) {
+        const double gap = rig_gap(a, b, count, group[g][0], group[g][1]);
+        const double size = rig_size(a, count, group[g][0], group[g][1]);
+        if (gap > 0 || isnan(gap)) most = gap / size <= most ? most : gap / size;
+    }
+    return most;
+}
+
+static const Param *param_of(const Method *m, const char *name)
+{
+    for (const Param *p = m->info.params; p && p->name; p++)
+        if (strcmp(p->name, name) == 0) return p;
+    return NULL;
+}
+
+bool rig_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT])
+{
+    const Param *p = k ? param_of(m, k == 1 ? "shape" : "order") : NULL;
+    const char *own = "";
+    if (k && !p) return false;
+    if (k == 1) own = p->value > 0 ? "shape=spline;" : "shape=gimp;";
+    if (k == 2) own = "order=3;";
+    snprintf(set, VARIANT_TEXT, "%s%s", own, more);
+    return true;
+}
+
+bool rig_vary(Rig *r, int k)
+{
+    const Method *m = r->plan.setup.method;
+    const Param *p = k ? param_of(m, k == 1 ? "shape" : "order") : NULL;
+    if (p) r->plan.method_par[p - m->info.params] = k == 1 ? !(p->value > 0) : 3 - 1;
+    return !k || p;
+}
+
+bool rig_valid(const Method *m, Integrator i, bool refresh)
+{
+    return (m->valid | (refresh ? m->valid_fresh : 0)) >> i & 1;
+}
+
+/* Knuth's 64-bit linear congruence, upper bits. */
+double rig_random(double lo, double hi)
+{
+    static unsigned long long state = 20070401;
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return lo + (hi - lo) * (double)(state >> 11) / 9007199254740992.0;
+}

@@ -1,0 +1,78 @@
+/* fixture.h: how the tests of the particle core set up scenes and look at particles in placement order.
+ */
+#ifndef MPMLAB_FIXTURE_H
+#define MPMLAB_FIXTURE_H
+
+#include "common/run/plan.h"
+#include "common/core/sim.h"
+#include "common/core/step.h"
+#include "check.h"
+
+/* A run of a registered problem; 0 or NULL: the default. Only of dimension `dim`. */
+typedef struct Case {
+    int dim;
+    const char *problem;
+    double cells, ppc, cfl;
+    const char *set; /* "name=value;name=value" */
+} Case;
+
+/* A resolved case. */
+typedef struct Rig {
+    RunSpec spec;
+    Plan plan;
+    Fault fault;
+    double dt; /* [s] CFL h/c */
+} Rig;
+
+extern const Engine ENGINE_NAME; /* of this dimension */
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+/* Resolves a case; false: refused, r->fault says why. method, more: may be NULL. */
+bool rig_plan(Rig *r, const Case *c, const char *method, Integrator integrator, const char *more);
+
+/* The spec alone, defaults not filled. */
+RunSpec rig_spec(const Case *c, const char *method, const char *integrator, const char *more);
+
+/* The same for a scene made by hand: fills plan and dt. `problem` need not be registered. */
+void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator integrator,
+               int cells, double ppc);
+
+/* Particles of r; never NULL (the test ends instead). */
+Sim *rig_sim(Rig *r);
+
+/* Steps [from, to) of r->dt; false after the first failure. */
+bool rig_steps(const Rig *r, Sim *sim, int from, int to);
+
+/* Every field of every particle: [FIELDS][count], by id; absent fields are 0. To be freed. */
+double *rig_state(const Sim *sim);
+
+/* max |a - b| and max |a| of `components` fields from `field` on; NAN wins. */
+double rig_gap(const double *a, const double *b, int count, int field, int components);
+double rig_size(const double *a, int count, int field, int components);
+
+/* The largest of rig_gap/rig_size over x, v, F and (if L) L. */
+double rig_distance(const double *a, const double *b, int count, bool L);
+
+/* All pairs that the tests run: NULL-terminated methods[] times INTEGRATORS. */
+/* (Cells are cut in 1D and 2D only: in 3D what integrates over them is left out.) */
+#define FOR_METHODS(m)                                                                             \
+    for (const Method *const *m = methods; *m; m++)                                                \
+        if (DIM < 3 || !(*m)->assemble)
+#define FOR_INTEGRATORS(i) for (Integrator i = CD; i < INTEGRATORS; i++)
+
+/* Settings of variant k of a method, then `more`: 0 its defaults, 1 its other shape, 2 an odd order
+ * of its filter. False: it has none such. */
+enum { VARIANTS = 3, VARIANT_TEXT = 128 };
+bool rig_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT]);
+
+/* The same for a scene made by hand. */
+bool rig_vary(Rig *r, int k);
+
+/* Is this pair stable without being told so? With refresh: with refresh=1. */
+bool rig_valid(const Method *m, Integrator i, bool refresh);
+
+/* A reproducible random number in [lo, hi). */
+double rig_random(double lo, double hi);
+
+#endif

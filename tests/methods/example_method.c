@@ -1,0 +1,38 @@
+/* example_method.c: rigid particle-in-cell (Jiang, Schroeder, Selle, Teran & Stomakhin 2015).
+ *
+ * Every particle offers its nodes v_p + W_p (x_i - x_p), W the skew part of its velocity gradient:
+ * a small rigid body. Back: v_p = sum_i S v_i and W from the same grid velocity. Rotation survives
+ * PIC's averaging, every other motion of the grid's scale is damped. Momentum is conserved because
+ * sum_i S_ip x_i = x_p. */
+#include "methods/parts/shapes.h"
+#include "methods/parts/transfers.h"
+
+static void update(const Chunk *c, const Field sums[], double dt, unsigned take)
+{
+    pic_update(c, sums, dt, take); /* v, L, x, F */
+    if (!(take & TAKE_V)) return;
+    for (int a = 0; a < DIM; a++)
+        for (int b = 0; b <= a; b++)
+            for (int p = 0; p < CHUNK; p++) {
+                const double W = 0.5 * (c->L[a * DIM + b][p] - c->L[b * DIM + a][p]);
+                c->L[a * DIM + b][p] = W;
+                c->L[b * DIM + a][p] = -W;
+            }
+}
+
+const Method method_rpic = {
+    .info = {.name = "rpic",
+             .label = "RPIC",
+             .about = "particles as small rigid bodies: PIC that keeps rotation",
+             .source = "Jiang et al. 2015"},
+    .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
+    .integrator = {[1] = CD, [2] = CD, [3] = CD},
+    .keeps_L = true,
+    .affine = true,
+    .pic = true,
+    .smooth = true,
+    .width = gimp_width,
+    .shape = gimp_shape,
+    .payload = gradient_payload,
+    .update = update,
+};

@@ -1,0 +1,243 @@
+/* test_methods.c: what single ideas promise, whichever methods have them: a uniform velocity moves
+ * the body and nothing else, angular momentum, the null space, weights folded at walls. */
+#include <stdlib.h>
+#include <string.h>
+#include "common/core/passes.h"
+#include "common/core/scheme.h"
+#include "methods/parts/filters.h"
+#include "tests/fixture.h"
+
+static const Case blocks[] = {{1, "free_block", 200, 2, 0, NULL},
+                              {2, "free_block", 16, 4, 0, NULL}};
+
+typedef void Check(Rig *r);
+
+static void for_variants(Check *check, const char *more)
+{
+    char set[VARIANT_TEXT];
+    FOR_METHODS(m) for (int k = 0; k < VARIANTS; k++) FOR_INTEGRATORS(i)
+    {
+        Rig r;
+        if (!rig_variant(*m, k, more, set) || !rig_valid(*m, i, false)) continue;
+        CU_ASSERT_FATAL(rig_plan(&r, &blocks[DIM - 1], (*m)->info.name, i, set));
+        check(&r);
+    }
+}
+
+/* ---- a uniform velocity moves the body and nothing else */
+
+static void check_constant(Rig *r)
+{
+    Sim *sim = rig_sim(r);
+    double *start = rig_state(sim);
+    const int n = sim->p.count, steps = 20;
+    CU_ASSERT(rig_steps(r, sim, 0, steps));
+    double *end = rig_state(sim);
+    CU_ASSERT(rig_gap(start, end, n, AT_V, DIM) < 1e-12 * rig_size(start, n, AT_V, DIM));
+    CU_ASSERT(rig_gap(start, end, n, AT_F, NMAT) < 1e-12);
+    for (int k = 0; k < n; k++)
+        for (int d = 0; d < DIM; d++)
+            CHECK_CLOSE(end[(AT_X + d) * n + k],
+                        start[(AT_X + d) * n + k] + steps * r->dt * start[(AT_V + d) * n + k],
+                        1e-13);
+    free(start), free(end);
+    sim_free(sim);
+}
+
+static void test_constant(void)
+{
+    for_variants(check_constant, "spin=0;swing=0");
+}
+
+/* ---- angular momentum: sum m (x x v) + m eps : B, where B is what the method keeps for L */
+
+static double turning(const Sim *sim)
+{
+    const Particles *p = &sim->p;
+    double *const *f = p->field, sum = 0;
+    enum { Y = DIM - 1, XY = 1 % NMAT, YX = DIM % NMAT };
+    for (int k = 0; k < p->n; k++)
+        if (p->id[k] >= 0)
+            sum += f[AT_M][k] * (f[AT_X][k] * f[AT_V + Y][k] - f[AT_X + Y][k] * f[AT_V][k] +
+                                 f[AT_L + YX][k] - f[AT_L + XY][k]);
+    return sum;
+}
+
+/* With uvf particles do not move along the velocity that they carry. */
+static void check_turning(Rig *r)
+{
+    if (!r->plan.setup.method->turns || r->plan.setup.integrator == UVF) return;
+    Sim *sim = rig_sim(r);
+    sim_sort(sim); /* from here on it keeps moments */
+    const double before = turning(sim);
+    CU_ASSERT(rig_steps(r, sim, 0, 100));
+    CHECK_CLOSE(turning(sim), before, 1e-12 * fabs(before));
+    CU_ASSERT(fabs(before) > 1);
+    sim_free(sim);
+}
+
+static void test_turning(void)
+{
+    if (DIM == 2) for_variants(check_turning, "");
+}
+
+/* ---- the null space: velocities that alternate between neighbours, which S takes to nothing */
+
+#define STILL "spin=0;drift=0;swing=0" /* no gradient either */
+
+/* What is left of them after three steps, inside. */
+static double ringing_left(const char *method, const char *set)
+{
+    Rig r;
+    double left = 0;
+    CU_ASSERT_FATAL(rig_plan(&r, &blocks[DIM - 1], method, CD, set));
+    Sim *sim = rig_sim(&r);
+    Particles *p = &sim->p;
+    for (int k = 0; k < p->n; k++)
+        for (int a = 0; a < DIM; a++)
+            p->field[AT_V + a][k] = p->id[k] % 2 ? -1e-6 : 1e-6; /* two particles a cell and axis */
+    CU_ASSERT(rig_steps(&r, sim, 0, 3));
+    for (int k = 0; k < p->n; k++) {
+        bool inside = p->id[k] >= 0; /* at the edges S v is not nothing */
+        for (int d = 0; d < DIM; d++) inside = inside && fabs(p->field[AT_X0 + d][k] - 0.75) < 0.2;
+        for (int a = 0; a < DIM && inside; a++)
+            left = fmax(left, fabs(p->field[AT_V + a][k]) / 1e-6);
+    }
+    sim_free(sim);
+    return left;
+}
+
+static void test_ringing(void)
+{
+    FOR_METHODS(m)
+    {
+        const double left = ringing_left((*m)->info.name, STILL);
+        if ((*m)->pic) CU_ASSERT(left < 0.01);
+        if (!(*m)->pic && !(*m)->surface) CU_ASSERT(left > 0.9);
+    }
+    CU_ASSERT(ringing_left("xpic", STILL ";order=5") < 0.01);
+    CU_ASSERT(ringing_left("fmpm", STILL ";order=5") < 0.01);
+}
+
+/* x sum_l c_l x^l = 1 - (1 - x)^k */
+static void test_filter(void)
+{
+    for (int k = 1; k <= 8; k++) {
+        double c[MAX_ROUNDS + 1];
+        CU_ASSERT_EQUAL(binomial_filter(k, c), k - 1);
+        for (double x = 0; x <= 1; x += 0.125) {
+            double sum = 0;
+            for (int l = k - 1; l >= 0; l--) sum = sum * x + c[l];
+            CHECK_CLOSE(x * sum, 1 - pow(1 - x, k), 1e-12);
+        }
+    }
+}
+
+/* What a filter leaves of a smooth swing: PIC (order 1) damps most, then less with each order. */
+static void test_damping(void)
+{
+    const char *const names[] = {"xpic", "fmpm"};
+    for (int m = 0; m < 2; m++) {
+        double last = -1;
+        for (int order = 1; order <= 5; order += 2) {
+            Rig r;
+            char set[64];
+            snprintf(set, sizeof set, "order=%d;spin=0;drift=0", order);
+            CU_ASSERT_FATAL(rig_plan(&r, &blocks[DIM - 1], names[m], CD, set));
+            Sim *sim = rig_sim(&r);
+            CU_ASSERT(rig_steps(&r, sim, 0, 10));
+            double *state = rig_state(sim), energy = 0;
+            const int n = sim->p.count;
+            for (int k = 0; k < DIM * n; k++) energy += state[AT_V * n + k] * state[AT_V * n + k];
+            CU_ASSERT(energy > last);
+            last = energy;
+            free(state);
+            sim_free(sim);
+        }
+    }
+}
+
+/* ---- folded weights: sum S = 1, sum S x_i = x, sum G = 0, sum G x_i = 1 up to walls, past them,
+ * and nothing beyond */
+
+static void check_folded(const Field x)
+{
+    const Axis axis = {.wall_lo = 10, .wall_hi = 14};
+    Stencil s;
+    Field b = {0};
+    folded_shape(&axis, 3, x, b, &s);
+    for (int p = 0; p < CHUNK; p++) {
+        double one = 0, at = 0, zero = 0, slope = 0, outside = 0;
+        for (int k = 0; k < 3; k++) {
+            const int node = s.base[p] + k;
+            one += s.table[T_S][k][p];
+            at += s.table[T_S][k][p] * node;
+            zero += s.table[T_G][k][p];
+            slope += s.table[T_G][k][p] * node;
+            if (node < 10 || node > 14) outside += fabs(s.table[T_S][k][p]);
+        }
+        CHECK_CLOSE(one, 1, 1e-14);
+        CHECK_CLOSE(at, x[p], 1e-13);
+        CHECK_CLOSE(zero, 0, 1e-14);
+        CHECK_CLOSE(slope, 1, 1e-13);
+        CHECK_CLOSE(outside, 0, 0);
+    }
+}
+
+/* Inside they are the plain spline's, at a wall a tent. */
+static void test_folded(void)
+{
+    const Axis axis = {.wall_lo = 10, .wall_hi = 14};
+    Stencil folded, plain;
+    Field x, b = {0};
+    for (int p = 0; p < CHUNK; p++) x[p] = 10 + 4 * (p + 0.5) / (double)CHUNK;
+    check_folded(x);
+    folded_shape(&axis, 3, x, b, &folded), spline_shape(&axis, 3, x, b, &plain);
+    for (int p = 0; p < CHUNK; p++)
+        for (int k = 0; k < 3; k++) {
+            if (x[p] > 10.5 && x[p] < 13.5)
+                CHECK_CLOSE(folded.table[T_S][k][p], plain.table[T_S][k][p], 1e-15);
+            if (x[p] < 10.5)
+                CHECK_CLOSE(folded.table[T_S][k][p], k ? 1 - fabs(9 + k - x[p]) : 0, 1e-14);
+        }
+    for (int p = 0; p < CHUNK; p++) x[p] = p % 2 ? 10 - 0.02 * p : 14 + 0.02 * p;
+    check_folded(x);
+}
+
+/* A method on folded splines takes a linear field to its particles exactly, next to the wall too.
+ */
+static void test_wall_field(void)
+{
+    const char *const scene[] = {"bar", "ring"};
+    const Case c = {DIM, scene[DIM - 1], 16, 0, 0, NULL};
+    Rig r;
+    static Work w;
+    CU_ASSERT_FATAL(rig_plan(&r, &c, "bspline", CD, NULL));
+    Sim *sim = rig_sim(&r);
+    CU_ASSERT(rig_steps(&r, sim, 0, 50)); /* and it runs */
+    for (int k = 0; DIM == 1 && k < sim->p.n / CHUNK; k++) {
+        const Chunk chunk = sim_chunk(sim, k);
+        make_stencils(sim, &chunk, &w);
+        for (int p = 0; p < CHUNK; p++) {
+            double L = 0;
+            for (int i = 0; i < 3; i++) { /* v = x inside, 0 beyond the wall, as walls leave it */
+                const double at = w.stencil[0].base[p] + i - sim->g.axis[0].wall_lo;
+                L += w.stencil[0].table[T_G][i][p] * fmax(at, 0);
+            }
+            CHECK_CLOSE(L, 1, 1e-13);
+        }
+    }
+    sim_free(sim);
+}
+
+extern const TestCase methods_tests[];
+const TestCase methods_tests[] = {
+    {"a uniform velocity, every variant", test_constant},
+    {"angular momentum where declared", test_turning},
+    {"what rings: PIC kills it, FLIP keeps it", test_ringing},
+    {"filter of order k", test_filter},
+    {"higher orders damp less", test_damping},
+    {"folded weights reproduce linear fields up to the wall", test_folded},
+    {"and so do the core's", test_wall_field},
+    {NULL, NULL},
+};

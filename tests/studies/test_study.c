@@ -1,0 +1,303 @@
+/* test_study.c: the study engine on a small study of its own: files, repeats, faults, verdicts; and
+ * what pages share. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "studies/engine/cases.h"
+#include "studies/engine/claims.h"
+#include "studies/tables/curves.h"
+#include "studies/engine/sidecar.h"
+#include "studies/engine/run_study.h"
+#include "tests/check.h"
+
+static const char dir[] = "scratch/study";
+
+static void cases(Cases *list, bool quick)
+{
+    case_add_with(list, "history", "tiny.history.csv", "run bar --cells 8 --set steps=%d", 3);
+    case_add(list, "run bar --cells 8 --set steps=3");
+    case_add(list, "run bar --cells 8 --set steps=3 --method mpm");
+    if (!quick) case_add(list, "run bar --cells 16 --set steps=3 --threads=1");
+}
+
+static void check(Check *c, const Table *rows, const char *folder)
+{
+    const char *const where[] = {"cells=8", "method=gimp"};
+    double steps[4];
+    CHECK_TEXT(folder, dir);
+    claim(c, "T.rows", "a repeated case is a row each time",
+          measure(rows_pick(rows, 2, where, "steps", 4, steps), 2, 2), 2, 2);
+    claim(c, "T.fails", "out of bounds", measure(3, 1, 1), 0, 2);
+    claim(c, "T.nan", "not there", measure(NAN, 1, 1), -INFINITY, INFINITY);
+    claim_differs(c, "T.holds", "holds", measure(1, 3, 2), 0, 2, 5, 6, "reason");
+    claim_differs(c, "T.differs", "as seen", measure(5.5, 1, 1), 0, 2, 5, 6, "reason");
+    claim_differs(c, "T.neither", "neither", measure(4, 1, 1), 0, 2, 5, 6, "reason");
+    claim_differs(c, "T.nan-too", "not there", measure(NAN, 1, 1), 0, 2, 5, 6, "reason");
+    claim(c, "T.few", "within bounds, on too few rows", measure(1, 1, 2), 0, 2);
+    note_number(c, "a-note", .1);
+}
+
+static const Study tiny = {
+    .name = "tiny", .figure = "T", .about = "a test", .cases = cases, .check = check, .claims = 8};
+
+static const StudyOptions options = {.dir = dir, .jobs = 2};
+
+static void test_verdicts(void)
+{
+    static const Verdict expected[] = {PASS, FAIL, FAIL, PASS, DIFFERS, FAIL, FAIL, FAIL};
+    Check c = {0};
+    Fault f;
+    CU_ASSERT_FATAL(study_run(&tiny, &options, &f) == 0);
+    CU_ASSERT_FATAL(check_study(&c, &tiny, dir, &f) == 0);
+    CU_ASSERT_FATAL(c.n == 8);
+    for (int k = 0; k < c.n; k++) CU_ASSERT(c.list[k].verdict == expected[k]);
+    CHECK_TEXT(c.list[4].reason, "reason");
+    CU_ASSERT(strlen(c.list[2].reason) > 0);
+    CHECK_TEXT(c.list[7].reason, "the tables have numbers in 1 rows, the claim needs 2");
+    CU_ASSERT(c.list[3].rows == 3 && c.list[7].rows == 1 && c.list[7].judged == false);
+    free(c.list);
+}
+
+static void test_notes(void)
+{
+    char text[512] = "";
+    FILE *f = fopen("scratch/study/tiny.var", "r");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    size_t n = fread(text, 1, sizeof text - 1, f);
+    fclose(f);
+    CU_ASSERT(n > 0 && strstr(text, "T_rows = 2\n") && strstr(text, "T_nan = NaN\n"));
+    CU_ASSERT_PTR_NOT_NULL(strstr(text, "a_note = 0.1\n"));
+}
+
+static off_t size_of(const char *path)
+{
+    struct stat s;
+    return stat(path, &s) == 0 ? s.st_size : -1;
+}
+
+static void test_file_comes_back(void)
+{
+    const char history[] = "scratch/study/tiny.history.csv", rows[] = "scratch/study/tiny.rows";
+    const off_t before = size_of(rows), length = size_of(history);
+    CU_ASSERT(before > 0 && length > 0);
+    CU_ASSERT(study_run(&tiny, &options, NULL) == 0 && size_of(rows) == before);
+    unlink(history);
+    CU_ASSERT(study_run(&tiny, &options, NULL) == 0);
+    CU_ASSERT(size_of(history) == length && size_of(rows) > before);
+    Table *t = table_read("scratch/study/tiny.csv", NULL);
+    CU_ASSERT(t && t->nrow == 4);
+    table_free(t);
+}
+
+static void test_counts(void)
+{
+    CU_ASSERT(study_case_count(&tiny, false) == 4);
+    CU_ASSERT(study_case_count(&tiny, true) == 3);
+}
+
+/* Steps 3, then as many as the last row had and one more, up to 6. */
+static void first_case(Cases *list, bool quick)
+{
+    (void)quick;
+    case_add(list, "run bar --cells 8 --set steps=3");
+}
+
+static void next_case(Cases *list, const Table *rows, bool quick)
+{
+    const double steps = table_number(rows, rows->nrow - 1, "steps");
+    (void)quick;
+    if (steps < 6) case_add(list, "run bar --cells 8 --set steps=%g", steps + 1);
+}
+
+static void test_refine(void)
+{
+    const char rows[] = "scratch/study/refined.rows";
+    char reason[128];
+    const Study page = {
+        .name = "refined", .figure = "T", .cases = first_case, .refine = next_case, .about = ""};
+    CU_ASSERT_FATAL(study_run(&page, &options, NULL) == 0);
+    const off_t length = size_of(rows);
+    Table *t = table_read("scratch/study/refined.csv", NULL);
+    CU_ASSERT(t && t->nrow == 4 && table_number(t, 3, "steps") == 6);
+    table_free(t);
+    CU_ASSERT(study_run(&page, &options, NULL) == 0 && size_of(rows) == length);
+    CU_ASSERT(sidecar_is_current(&page, dir, reason));
+    const Study other = {
+        .name = "refined", .figure = "T", .cases = cases, .refine = next_case, .about = ""};
+    CU_ASSERT(!sidecar_is_current(&other, dir, reason));
+}
+
+static void wrong_run(Cases *list, bool quick)
+{
+    case_add(list, "run bar --cells %d", quick ? 0 : -1);
+    case_add(list, "run baar");
+}
+
+static void wrong_kind(Cases *list, bool quick)
+{
+    (void)quick;
+    case_add_with(list, "histories", "x.csv", "run bar");
+}
+
+static void test_wrong_pages(void)
+{
+    Study page = {.name = "wrong", .cases = wrong_run};
+    Fault f = {0};
+    CU_ASSERT(study_run(&page, &options, &f) == FAULT_USAGE);
+    CU_ASSERT(strstr(f.text, "study wrong") && strstr(f.text, "'-1'"));
+    page.cases = wrong_kind;
+    CU_ASSERT(study_run(&page, &options, &f) == FAULT_USAGE && strstr(f.text, "'histories'"));
+    CU_ASSERT(size_of("scratch/study/wrong.csv") == -1);
+}
+
+/* ---- curves.h */
+
+static Table *table_of(const char *text)
+{
+    mkdir("scratch", 0777), mkdir(dir, 0777);
+    FILE *f = fopen("scratch/study/page.part.csv", "w");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    fputs(text, f);
+    fclose(f);
+    Table *t = part_read(dir, "page", "part", NULL);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(t);
+    return t;
+}
+
+static void test_curves(void)
+{
+    static const double printed[][3] = {{1, 8, 1}, {2, 2.5, 0.5}, {4, 1, 10}};
+    static const double absent[][3] = {{1, 8, 1}, {3, 1, 1}};
+    Table *t = table_of("m,x,y\na,1,8.4\na,2,2\nb,2,99\na,4,1\n");
+    Curve c;
+    curve_pick(&c, t, "x", "y", "m=%s", "a");
+    CU_ASSERT(c.n == 3);
+    CHECK_CLOSE(curve_at(&c, 2).value, 2, 0);
+    CU_ASSERT(isnan(curve_at(&c, 3).value) && curve_at(&c, 3).rows == 0);
+    CHECK_CLOSE(curve_max(&c, 3).value, 8.4, 0);
+    CHECK_CLOSE(curve_settles(&c, 2, 3).value, 2, 0);
+    CHECK_CLOSE(curve_settles(&c, 10, 3).value, 1, 0);
+    CU_ASSERT(isnan(curve_settles(&c, 0.5, 3).value));
+    CHECK_CLOSE(curve_deviation(&c, 3, printed).value, 0.1, 1e-15); /* .05, .2 half, 0 */
+    CU_ASSERT(isnan(curve_deviation(&c, 2, absent).value));
+    CU_ASSERT(curve_deviation(&c, 2, absent).rows == 1);
+    CHECK_CLOSE(value_pick(t, "y", "m=b x=%d", 2).value, 99, 0);
+    CU_ASSERT(isnan(value_pick(t, "y", "m=c").value) && value_pick(t, "y", "m=c").rows == 0);
+    table_free(t);
+}
+
+/* Once met, NAN stays, wherever it comes; rows count once. */
+static void test_measures(void)
+{
+    for (int bad = 0; bad < 3; bad++) {
+        Measure most = largest_of(3), low = least_of(3), all = sum_of(3);
+        for (int k = 0; k < 3; k++) {
+            add_largest(&most, k == bad ? (double)NAN : k);
+            add_least(&low, k == bad ? (double)NAN : k);
+            add_sum(&all, k == bad ? (double)NAN : k);
+        }
+        CU_ASSERT(isnan(most.value) && isnan(low.value) && isnan(all.value));
+        CU_ASSERT(most.rows == 2 && low.rows == 2 && all.rows == 2 && most.needs == 3);
+    }
+    CHECK_CLOSE(worse(1, 2), 2, 0);
+    CHECK_CLOSE(lesser(1, 2), 1, 0);
+    CU_ASSERT(isnan(worse(NAN, 1)) && isnan(worse(1, NAN)) && isnan(lesser(NAN, 1)));
+    const Measure many = measure(6, 9, 2), few = measure(3, 1, 2), ratio = over(many, few);
+    CHECK_CLOSE(ratio.value, 2, 0);
+    CU_ASSERT(ratio.rows == 3 && ratio.needs == 4); /* too many here are no help there */
+    CU_ASSERT(sum(many, many).rows == 18 && closed_form(1).needs == 0);
+}
+
+/* An order is over all meshes that it names, or none. */
+static void test_orders(void)
+{
+    Curve c = {.n = 4, .x = {1, 2, 4, 8}, .y = {1, 4, 16, 64}};
+    CHECK_CLOSE(curve_order(&c, 1, 8, 4).value, 2, 1e-14);
+    CU_ASSERT(curve_order(&c, 2, 8, 3).rows == 3);
+    c.y[2] = NAN;
+    CU_ASSERT(isnan(curve_order(&c, 1, 8, 4).value) && curve_order(&c, 1, 8, 4).rows == 3);
+    CHECK_CLOSE(curve_order(&c, 1, 2, 2).value, 2, 1e-14);
+    c.y[2] = 0;
+    CU_ASSERT(isnan(curve_order(&c, 1, 8, 4).value));
+}
+
+static void one_claim(Check *c, const Table *rows, const char *folder)
+{
+    (void)rows;
+    table_free(claim_part(c, folder, "absent"));
+    claim(c, "T.one", "stands on nothing of the sort", measure(1, 1, 1), 0, 2);
+}
+
+/* A page whose table is missing still makes its claims; one that makes others than it declares is
+ * a fault. */
+static void test_declared(void)
+{
+    Study page = {.name = "tiny", .figure = "T", .about = "", .check = one_claim, .claims = 1};
+    Check c = {0};
+    Fault f = {0};
+    CU_ASSERT_FATAL(check_study(&c, &page, dir, &f) == 0 && c.n == 1);
+    CU_ASSERT(c.list[0].verdict == FAIL);
+    CU_ASSERT_PTR_NOT_NULL(strstr(c.list[0].reason, "tiny.absent.csv"));
+    page.claims = 2;
+    CU_ASSERT(check_study(&c, &page, dir, &f) == FAULT_MACHINE);
+    CU_ASSERT_PTR_NOT_NULL(strstr(f.text, "makes 1 claims, declares 2"));
+    free(c.list);
+}
+
+static void test_median(void)
+{
+    double odd[] = {5, 1, 3}, even[] = {4, 1, 3, 2};
+    CHECK_CLOSE(median(3, odd), 3, 0);
+    CHECK_CLOSE(median(4, even), 2.5, 0);
+    CU_ASSERT(isnan(median(0, odd)));
+}
+
+static void test_lost(void)
+{
+    Table *t = table_of("status\nok\nenergy_growth\nnan\nleft_grid\n");
+    for (int row = 0; row < t->nrow; row++) CU_ASSERT(is_lost(t, row) == (row >= 2));
+    table_free(t);
+}
+
+static void squeezes(Cases *list, bool quick)
+{
+    squeeze_add(list, "gimp", "quadratic", 20, 5, quick);
+}
+
+/* 10 to 200 particles, 5 or 125 apart. */
+static void test_squeezes(void)
+{
+    const Study page = {.name = "squeezes", .cases = squeezes};
+    Cases list;
+    Fault fault;
+    CU_ASSERT_FATAL(cases_build(&list, &page, false, NULL, dir, &fault) == 0);
+    CU_ASSERT(list.n == 39);
+    for (int k = 0; k < list.n; k++) {
+        CHECK_CLOSE(list.list[k].spec.ppc, (10 + 5 * k) / 20.0, 1e-15);
+        CHECK_TEXT(spec_get(&list.list[k].spec, "field"), "quadratic");
+        CHECK_TEXT(list.list[k].spec.method, "gimp");
+    }
+    cases_free(&list);
+    CU_ASSERT(study_case_count(&page, true) == 2);
+    CU_ASSERT(method_known("gimp") && method_known("fem") && !method_known("gmp"));
+}
+
+const TestCase study_tests[] = {
+    {"verdicts", test_verdicts},
+    {"notes for the figure", test_notes},
+    {"a file that is gone is made again", test_file_comes_back},
+    {"number of cases", test_counts},
+    {"cases that rows ask for", test_refine},
+    {"a wrong page is a fault", test_wrong_pages},
+    {"curves out of tables", test_curves},
+    {"numbers with their rows", test_measures},
+    {"orders over all meshes", test_orders},
+    {"claims that a page declares", test_declared},
+    {"medians", test_median},
+    {"lost runs", test_lost},
+    {"the squeeze's cases", test_squeezes},
+    {NULL, NULL},
+};

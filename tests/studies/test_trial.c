@@ -1,0 +1,255 @@
+/* test_trial.c: no claim holds on nothing. Every study's claims are judged on tables that are
+ * whole, header-only, of lost runs, with one run lost, and with a table missing. No number matters
+ * here: a claim is `judged` if all its rows were there, whatever its range. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "studies/engine/claims.h"
+#include "tests/check.h"
+#include "trial.h"
+
+static const char dir[] = "scratch/trial";
+
+/* Lists of claims; what ends in a point stands for all that begin so. Of formulas: no run needed.
+ */
+static const char *const formulas[] = {"W07-2.",        "W11-2.masks",      "H5.tent-omega",
+                                       "H5.gimp-omega", "H5.bspline-omega", NULL};
+/* Formulas that are in no table either. */
+static const char *const no_table[] = {"W11-2.masks", NULL};
+/* That no run is lost (or what one is worth that is): one that is must tell. */
+static const char *const none_lost[] = {"W07-12.gimp-lost",
+                                        "W07-12.ge-gimp-lost",
+                                        "W11-10.whole",
+                                        "H1.wls-bar",
+                                        "T-1b.lost",
+                                        "T-5.plane-gimp",
+                                        "H7.gimp",
+                                        "H8a.growth-all",
+                                        "H8b.stretch",
+                                        "H10.defined",
+                                        "H13.smooth",
+                                        "H13.disk",
+                                        "H-15.vortex-stretch",
+                                        "H-15.vortex-fixed-functions",
+                                        "H-15.vortex-wls",
+                                        "H-15.bar-fem",
+                                        "H-15.bar-stretch",
+                                        "H-15.bar-wls",
+                                        "H2.wls",
+                                        NULL};
+/* That some runs are lost, or where that begins; or the best of many runs, or of those not lost,
+ * of which there must be so many. */
+static const char *const some_lost[] = {"W07-12.mpm-lost-2",
+                                        "W07-12.mpm-lost-5",
+                                        "W07-12.ge-mpm-unstable",
+                                        "W07-12.low-ppc",
+                                        "T-1.literal",
+                                        "T-5.stale",
+                                        "T-5.plane-stale",
+                                        "H7.tent",
+                                        "H7.plane",
+                                        "H7.wls",
+                                        "H8b.exponential",
+                                        "H-15.vortex-gimp",
+                                        "H-15.bar-gimp",
+                                        "T-2.",
+                                        "H-4.beam-all",
+                                        "H-4.beam-worst",
+                                        "H3.pieces",
+                                        "T-4.",
+                                        "H5.",
+                                        NULL};
+/* Those of them that say that all are. */
+static const char *const all_lost[] = {"W07-12.ge-mpm-unstable",
+                                       "T-1.literal",
+                                       "T-4.stale",
+                                       "T-5.stale",
+                                       "T-5.plane-stale",
+                                       "H7.wls",
+                                       "H-15.vortex-gimp",
+                                       "H-15.bar-gimp",
+                                       NULL};
+
+static bool is_one(const char *id, const char *const list[])
+{
+    for (; *list; list++) {
+        const size_t n = strlen(*list);
+        if (strncmp(id, *list, n) == 0 && ((*list)[n - 1] == '.' || !id[n])) return true;
+    }
+    return false;
+}
+
+typedef struct Trial {
+    const Study *study;
+    Cases cases;
+    Check whole; /* on sound tables */
+} Trial;
+
+static void complain(const Claim *c, const char *what)
+{
+    printf("%s: %s: %s, %.6g on %d rows: %s\n", c->id, what, verdict_name(c->verdict), c->measured,
+           c->rows, c->reason);
+}
+
+static Check judge(const Trial *t, bool again)
+{
+    Check c = {0};
+    Fault fault = {0};
+    if (again && t->study->tables) t->study->tables(dir, false, &fault);
+    if (check_study(&c, t->study, dir, &fault)) {
+        printf("%s: %s\n", t->study->name, fault.text);
+        CU_FAIL("claims are not made");
+    }
+    CU_ASSERT(c.n == t->study->claims);
+    return c;
+}
+
+static void make(Trial *t)
+{
+    trial_clear(dir);
+    trial_rows(t->study, &t->cases, dir, -2, SOUND);
+    trial_files(&t->cases);
+}
+
+static void check_whole(Trial *t)
+{
+    make(t);
+    t->whole = judge(t, true);
+    for (const Claim *c = t->whole.list; c < t->whole.list + t->whole.n; c++) {
+        if (!c->judged) complain(c, "on whole tables");
+        CU_ASSERT(c->judged);
+    }
+}
+
+/* No claim may PASS but those of the list. */
+static void expect_none(Check *check, const char *what, const char *const may[])
+{
+    for (const Claim *c = check->list; c < check->list + check->n; c++) {
+        const bool wrong = c->verdict == PASS && !is_one(c->id, may);
+        if (wrong) complain(c, what);
+        CU_ASSERT(!wrong);
+    }
+    free(check->list);
+}
+
+static void check_empty(Trial *t)
+{
+    make(t);
+    if (t->study->tables) t->study->tables(dir, false, NULL);
+    trial_empty(dir);
+    Check c = judge(t, false);
+    for (int k = 0; k < c.n; k++) {
+        const bool wrong = c.list[k].judged && !is_one(c.list[k].id, no_table);
+        if (wrong) complain(&c.list[k], "has a number in tables without rows");
+        CU_ASSERT(!wrong);
+    }
+    expect_none(&c, "on tables without rows", no_table);
+    c = judge(t, true);
+    expect_none(&c, "on runs without rows", formulas);
+}
+
+static void check_all_lost(Trial *t)
+{
+    make(t);
+    trial_rows(t->study, &t->cases, dir, -1, LOST_RUN);
+    Check c = judge(t, true);
+    for (int k = 0; k < c.n; k++) {
+        const char *id = c.list[k].id;
+        const bool wrong = c.list[k].judged && !is_one(id, formulas) && !is_one(id, none_lost) &&
+                           !is_one(id, some_lost);
+        if (wrong) complain(&c.list[k], "has a number from lost runs");
+        CU_ASSERT(!wrong);
+        if (c.list[k].verdict == PASS && is_one(id, formulas)) c.list[k].verdict = NOT_RUN;
+    }
+    expect_none(&c, "with all runs lost", all_lost);
+}
+
+static bool is_same(const Claim *a, const Claim *b)
+{
+    return a->rows == b->rows &&
+           (a->measured == b->measured || (isnan(a->measured) && isnan(b->measured)));
+}
+
+static void spoil(const Trial *t, int row, Spoiled how, bool stands[])
+{
+    const char *file = t->cases.list[row].file;
+    char aside[TRIAL_PATH];
+    trial_rows(t->study, &t->cases, dir, row, how);
+    snprintf(aside, sizeof aside, "%s.aside", file ? file : "");
+    if (file && how == ABSENT) rename(file, aside);
+    Check c = judge(t, true);
+    if (file && how == ABSENT) rename(aside, file);
+    for (int k = 0; k < c.n; k++) {
+        const Claim *one = &c.list[k];
+        if (how != LOST_RUN) {
+            stands[k] = stands[k] || !is_same(one, &t->whole.list[k]);
+            continue;
+        }
+        const bool bad = is_one(one->id, none_lost) ? one->verdict == PASS : one->judged;
+        const bool wrong = stands[k] && bad && !is_one(one->id, some_lost);
+        if (wrong) {
+            complain(one, "with one run lost");
+            printf("  %s\n", t->cases.list[row].command);
+        }
+        CU_ASSERT(!wrong);
+    }
+    free(c.list);
+}
+
+/* A claim stands on a row if it changes with the row's numbers, or without the row. */
+static void check_one_lost(Trial *t)
+{
+    enum { TRIED = 4 };
+    const int n = t->cases.n, apart = n > TRIED ? n / TRIED : 1;
+    make(t);
+    for (int row = 0; row < n; row += apart) {
+        bool *stands = calloc((size_t)t->whole.n + 1, sizeof *stands);
+        CU_ASSERT_PTR_NOT_NULL_FATAL(stands);
+        spoil(t, row, LARGER, stands);
+        spoil(t, row, SMALLER, stands);
+        spoil(t, row, ABSENT, stands);
+        spoil(t, row, LOST_RUN, stands);
+        free(stands);
+    }
+}
+
+static void each_study(void (*act)(Trial *t), bool whole)
+{
+    mkdir("scratch", 0777);
+    mkdir(dir, 0777);
+    for (const Study *const *s = studies; *s; s++) {
+        Trial t = {.study = *s};
+        if (!(*s)->check || (*s)->claims == 0) continue;
+        CU_ASSERT_FATAL(cases_build(&t.cases, *s, false, NULL, dir, NULL) == 0);
+        if (whole) check_whole(&t);
+        act(&t);
+        free(t.whole.list);
+        cases_free(&t.cases);
+    }
+    trial_clear(dir);
+}
+
+static void test_whole(void)
+{
+    each_study(check_empty, true);
+}
+
+static void test_all_lost(void)
+{
+    each_study(check_all_lost, false);
+}
+
+static void test_one_lost(void)
+{
+    each_study(check_one_lost, true);
+}
+
+const TestCase trial_tests[] = {
+    {"claims on whole tables and on tables without rows", test_whole},
+    {"claims on lost runs", test_all_lost},
+    {"claims with one run lost", test_one_lost},
+    {NULL, NULL},
+};

@@ -1,0 +1,235 @@
+/* trial.c: see trial.h. */
+#include "trial.h"
+
+#include <dirent.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "tests/check.h"
+
+/* Numbers from 0 to 1, even and the same for ever. */
+static double spread(int k)
+{
+    return fmod(k * 0.6180339887, 1);
+}
+
+static bool is_fem(const Case *c)
+{
+    return strcmp(c->spec.method, "fem") == 0;
+}
+
+static bool is(const Case *c, const char *problem)
+{
+    return strcmp(c->spec.problem, problem) == 0;
+}
+
+static double setting(const Case *c, const char *name, double usual)
+{
+    const char *text = spec_get(&c->spec, name);
+    return text ? strtod(text, NULL) : usual;
+}
+
+static void say_settings(const Case *c, Row *row)
+{
+    size_t at = 0;
+    const char *layout = spec_get(&c->spec, "layout");
+    snprintf(row->layout, sizeof row->layout, "%s",
+             layout                                        ? layout
+             : strstr(c->spec.method, "wls") && !is_fem(c) ? "radial"
+                                                           : "cartesian");
+    for (int k = 0; k < c->spec.nset; k++)
+        if (strcmp(c->spec.set[k].name, "layout") != 0)
+            at += (size_t)snprintf(row->params + at, sizeof row->params - at, "%s%s=%s",
+                                   at ? ";" : "", c->spec.set[k].name, c->spec.set[k].value);
+}
+
+static void say_results(const Case *c, int k, Spoiled how, Row *row)
+{
+    const double n = row->cells, factor = how == LARGER ? 1e3 : how == SMALLER ? 1e-3 : 1;
+    snprintf(row->status, sizeof row->status, how == LOST_RUN ? "inverted" : "ok");
+    if (how == LOST_RUN) return;
+    row->steps = 100;
+    row->dt = row->t_end / 100;
+    row->error_linf =
+        factor * 0.3 * (1 + 0.1 * spread((int)strlen(row->method) + (int)n)) / (n * n);
+    row->error_l2 = 0.5 * row->error_linf;
+    row->error_l1 = 0.3 * row->error_linf;
+    row->energy_drift = -factor * 1e-3 * (1 + spread(k));
+    row->momentum_drift = factor * 1e-14;
+    row->fallbacks = factor * 3;
+    row->elements = is_fem(c) ? n * n : NAN;
+    row->cpu_s = row->wall_s = factor * 1e-6 * n * n * (1 + 0.1 * spread(k + 1));
+}
+
+static Row row_of(const Case *c, int k, Spoiled how)
+{
+    Row row = row_empty();
+    const RunSpec *s = &c->spec;
+    snprintf(row.problem, sizeof row.problem, "%s", s->problem);
+    snprintf(row.method, sizeof row.method, "%s", s->method);
+    snprintf(row.integrator, sizeof row.integrator, "%s", s->integrator);
+    row.cells = s->cells;
+    row.h = 1 / s->cells;
+    row.ppc = is_fem(c) ? NAN : s->ppc;
+    row.cfl = s->cfl > 0 ? s->cfl : NAN;
+    row.particles = round(s->ppc * s->cells);
+    row.t_end = s->t_end;
+    say_settings(c, &row);
+    say_results(c, k, how, &row);
+    return row;
+}
+
+void trial_rows(const Study *study, const Cases *cases, const char *dir, int at, Spoiled how)
+{
+    char path[TRIAL_PATH], text[ROW_TEXT];
+    snprintf(path, sizeof path, "%s/%s.csv", dir, study->name);
+    FILE *f = fopen(path, "w");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    row_header(text);
+    fprintf(f, "%s\n", text);
+    for (int k = 0; k < cases->n; k++) {
+        const Spoiled this = at < 0 || k == at ? how : SOUND;
+        const Row row = row_of(&cases->list[k], k, this);
+        if (this == ABSENT) continue;
+        row_print(&row, text);
+        fprintf(f, "%s\n", text);
+    }
+    fclose(f);
+}
+
+/* ---- files, by kind */
+
+static void history(FILE *f, const Case *c)
+{
+    fputs("t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume\n", f);
+    for (int k = 0; k <= 1500; k++) {
+        const double t = c->spec.t_end * k / 1500, half = 0.5 + 0.5 * cos(3.4 * t) * cos(3.4 * t);
+        fprintf(f, "%.10g,%.8g,%.8g,0,%.8g,0,0,,%.10g,1\n", t, half, 1 - half + 1e-6 * k,
+                1 + 1e-6 * k, c->spec.t_end / 1500);
+    }
+}
+
+/* One point of a file of particles or samples, moved to and fro as a wave is. */
+static void point(FILE *f, const Case *c, double X, double Y)
+{
+    const double u = 0.01 * sin(2 * M_PI * c->spec.t_end / 0.035 - 1e-4) * (0.1 + X);
+    fprintf(f, "%.8g,%.8g,%.8g,%.8g,", X, Y, X + u, Y - 0.5 * u);
+    if (c->spec.samples)
+        fprintf(f, "%g,%g,0,%g,1,0\n", 2 + X, 1 + Y, 1e9 * (1 + X));
+    else
+        fprintf(f, "%g,%g,1,0,0,1.001,%g,%g,%g,1,0,%g\n", 0.6 + Y, 0.5 - X, 2 + X, 1 + Y,
+                1e9 * (1 + X), 1 + X);
+}
+
+static void points(FILE *f, const Case *c)
+{
+    const bool samples = c->spec.samples != NULL;
+    const int many = is(c, "hole_plate") ? 60 : is(c, "ring") || is(c, "disk_impact") ? 50 : 16;
+    const int side = samples ? 8 : many;
+    const double reach = is(c, "cantilever") ? 5 : is(c, "hanging_bar") ? 2 : 1.25;
+    int n = 0;
+    fputs(samples ? "X,Y,x,y,sxx,syy,szz,von_mises,mass,surface\n"
+                  : "X,Y,x,y,vx,vy,Fxx,Fxy,Fyx,Fyy,sxx,syy,von_mises,mass,surface,energy\n",
+          f);
+    for (int k = 0; samples && k < 40; k++) { /* along the hole */
+        const double a = M_PI / 2 * (k + 0.5) / 40, r = 0.5 + 0.1 / c->spec.cells;
+        n++, point(f, c, r * cos(a), r * sin(a));
+    }
+    for (int j = 0; j < side; j++)
+        for (int i = 0; i < side; i++)
+            n++, point(f, c, reach * (i + 0.5) / side, reach * (j + 0.5) / side);
+    /* as many as FEM has elements: hole.h */
+    const int quads = (int)ceil(0.6 * c->spec.cells - 1e-9) * 2 *
+                      (int)ceil(M_PI / 4 * 0.7 * c->spec.cells - 1e-9);
+    const bool reference = samples && is(c, "hole_plate") && is_fem(c) && c->spec.cells > 200;
+    for (; reference && n < 2 * quads; n++) point(f, c, 0.7, 0.7);
+}
+
+static void errors(FILE *f, const Case *c)
+{
+    const double h = 1 / c->spec.cells, apart = is_fem(c) ? h : h / 2, shift = is_fem(c) ? 0 : 0.5;
+    fputs("X,Y,error,weight\n", f);
+    for (int j = 0; j < 12; j++)
+        for (int i = 0; i < 12; i++)
+            fprintf(f, "%.10g,%.10g,%.10g,1\n", (i + shift) * apart, (j + shift) * apart,
+                    h * h * (1 + spread(12 * j + i)));
+}
+
+static void nodes(FILE *f, const Case *c)
+{
+    const bool squeeze = is(c, "squeeze"), bar = c->engine->dim == 1;
+    const double middle = setting(c, "box", 3) / 2, n = c->spec.cells;
+    const int from = squeeze ? 0 : (int)(n * (middle - 0.2)),
+              to = squeeze ? (int)n : from + (int)(0.4 * n);
+    fputs("id,x,y,mass,vx,vy\n", f);
+    for (int j = from; j <= (bar ? from : to); j++)
+        for (int i = from; i <= to; i++)
+            fprintf(f, "%d,%.10g,%.10g,%g,%.10g,0\n", i, i / n, bar ? 0 : j / n, 1 / n,
+                    1 + i / n + 1e-3 * spread(i + j));
+}
+
+static void patches(FILE *f, const Case *c)
+{
+    const double n = c->spec.cells;
+    fputs("cell,k,x,y,cut\n", f);
+    for (int k = 0; k < 240; k++) {
+        const double x = floor(0.6 * n * spread(k)) / n;
+        const double y = sqrt(0.625 * 0.625 - x * x) + 0.1 / (n * n) + 1e-3 * (k % 4 == 2);
+        fprintf(f, "%d,%d,%.17g,%.17g,1\n", k / 4, k % 4, x, y);
+    }
+}
+
+void trial_files(const Cases *cases)
+{
+    for (const Case *c = cases->list; c < cases->list + cases->n; c++) {
+        if (!c->file || strstr(c->file, ".frame.")) continue;
+        FILE *f = fopen(c->file, "w");
+        CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+        if (c->spec.history) history(f, c);
+        if (c->spec.particles || c->spec.samples) points(f, c);
+        if (c->spec.errors) errors(f, c);
+        if (c->spec.nodes) nodes(f, c);
+        if (c->spec.patches) patches(f, c);
+        fclose(f);
+    }
+}
+
+/* ---- spoiled folders */
+
+static void each_file(const char *dir, void (*act)(const char *path))
+{
+    char path[TRIAL_PATH];
+    DIR *d = opendir(dir);
+    for (struct dirent *e; d && (e = readdir(d));) {
+        if (e->d_name[0] == '.') continue;
+        snprintf(path, sizeof path, "%s/%.200s", dir, e->d_name);
+        act(path);
+    }
+    if (d) closedir(d);
+}
+
+static void keep_header(const char *path)
+{
+    char line[ROW_TEXT] = "";
+    FILE *f = fopen(path, "r");
+    if (f && !fgets(line, sizeof line, f)) line[0] = '\0';
+    if (f) fclose(f);
+    CU_ASSERT(truncate(path, (off_t)strlen(line)) == 0);
+}
+
+static void remove_file(const char *path)
+{
+    unlink(path);
+}
+
+void trial_empty(const char *dir)
+{
+    each_file(dir, keep_header);
+}
+
+void trial_clear(const char *dir)
+{
+    each_file(dir, remove_file);
+}

@@ -1,0 +1,27 @@
+/* trial.h: tables of studies that nobody ran: a row and a file for each case, with numbers that are
+ * smooth and finite, so that every claim has all it asks for. Then they are spoiled one way or
+ * another. */
+#ifndef MPMLAB_TRIAL_H
+#define MPMLAB_TRIAL_H
+
+#include "studies/engine/cases.h"
+
+enum { TRIAL_PATH = 512 };
+
+/* What is wrong with one row (or with all): nothing; the run was lost, its numbers empty; its
+ * numbers a thousand times as large or as small; it is not there. */
+typedef enum { SOUND, LOST_RUN, LARGER, SMALLER, ABSENT } Spoiled;
+
+/* Writes dir/NAME.csv; row `at` is spoiled, all are if at is -1. */
+void trial_rows(const Study *study, const Cases *cases, const char *dir, int at, Spoiled how);
+
+/* Writes the files that the runs would have left. */
+void trial_files(const Cases *cases);
+
+/* Leaves the header of every .csv in dir alone. */
+void trial_empty(const char *dir);
+
+/* Deletes what is in dir. */
+void trial_clear(const char *dir);
+
+#endif

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# bench.sh: the speed of the step loop, from one run of this machine: ns per particle-step (best and median
+# CPU time of interleaved rounds), instructions (callgrind, AVX2 build), ratios to the textbook twin and to the
+# machine's own bounds, growth, empty space, threads. Writes OUT/t_03_speed.csv; prints it as a table.
+#   BUILD=build OUT=build/out ROUNDS=7 tests/tools/bench.sh
+set -u
+BUILD=${BUILD:-build} OUT=${OUT:-$BUILD/out} ROUNDS=${ROUNDS:-7}
+lab=$BUILD/mpmlab bench=$BUILD/tests/bench avx2=$BUILD/avx2/mpmlab
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$OUT" || exit 1
+
+mapfile -t methods < <("$lab" list methods | awk -F'\t' '$3 ~ /2/ && $2 != "fem" { print $2 }')
+# name, run: particles cost what their method costs; the step counts keep a run near half a second
+cases=()
+for m in "${methods[@]}"; do cases+=("$m|free_block --method $m --set steps=40"); done
+cases+=("mpm-cd|free_block --method mpm --integrator cd --set steps=40"
+    "gimp-1e4|free_block --cells 50 --set steps=250" "gimp-1e6|free_block --cells 512 --set steps=6"
+    "gimp-2-threads|free_block --threads 2 --set steps=40"
+    "gimp-box-15|free_block --set box=15 --set steps=40"
+    "gimp-1d|free_block --cells 16384 --set dim=1 --set steps=40"
+    "fem-elements|ring --method fem --cells 128 --set steps=100")
+
+pick() { awk -F, -v name="$1" 'NR == 1 { for (k = 1; k <= NF; k++) if ($k == name) at = k } NR == 2 { print $at }'; }
+for ((round = 0; round < ROUNDS; round++)); do
+    for c in "${cases[@]}"; do
+        name=${c%%|*}
+        # shellcheck disable=SC2086
+        "$lab" run ${c#*|} --quiet >"$work/row.csv" 2>"$work/error" || { cat "$work/error" >&2; exit 1; }
+        cp "$work/row.csv" "$work/$name.row"
+        awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) at[$k] = k }
+            NR == 2 { n = $at["elements"] ? $at["elements"] : $at["particles"]
+                      print 1e9 * $at["cpu_s"] / (n * $at["steps"]), 1e9 * $at["wall_s"] / (n * $at["steps"]) }' \
+            "$work/row.csv" >>"$work/$name.ns"
+    done
+    "$bench" twin 128 2 | awk '{ print $2, $2 }' >>"$work/twin.ns"
+    [ -t 2 ] && printf '\rbench: round %d of %d' $((round + 1)) "$ROUNDS" >&2
+done
+[ -t 2 ] && echo >&2
+
+# Instructions of sim_step alone, per particle-step (with the step beyond the end that the ledger takes).
+instructions() {
+    [ -x "$avx2" ] && command -v valgrind >/dev/null || return
+    # shellcheck disable=SC2086
+    valgrind --tool=callgrind --toggle-collect=sim_step --callgrind-out-file=/dev/null \
+        "$avx2" run $1 --quiet >"$work/count.csv" 2>"$work/count.log"
+    awk '/Collected/ { print $NF }' "$work/count.log" |
+        awk -v n="$(pick particles <"$work/count.csv")" -v s="$(pick steps <"$work/count.csv")" \
+            '{ printf "%.1f", $1 / (n * (s + 1)) }'
+}
+command -v valgrind >/dev/null || echo "SKIPPED valgrind: no instruction counts" >&2
+
+"$bench" machine >"$work/machine"
+value() { awk -v name="$1" '$1 == name { print $2 }' "$work/machine"; }
+twin=$(sort -g "$work/twin.ns" | awk 'NR == 1 { print $1 }')
+gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
+{
+    echo "case,particles,ns_best,ns_median,wall_best,instructions_avx2,ratio_to_gimp,ratio_to_twin"
+    for c in "${cases[@]}" "twin|"; do
+        name=${c%%|*} n=65536 count=
+        [ "$name" = twin ] || n=$(pick particles <"$work/$name.row")
+        case "$name" in gimp-* | fem-*) ;; twin) ;; *) count=$(instructions "${c#*|} --set steps=4") ;; esac
+        sort -g "$work/$name.ns" | awk -v name="$name" -v n="$n" -v count="$count" -v gimp="$gimp" -v twin="$twin" '
+            { cpu[NR] = $1; if (NR == 1 || $2 < wall) wall = $2 }
+            END { printf "%s,%d,%.4g,%.4g,%.4g,%s,%.4g,%.4g\n", name, n, cpu[1], cpu[int((NR + 1) / 2)], wall, count,
+                  cpu[1] / gimp, cpu[1] / twin }'
+    done
+    # what the machine could do at best: about 500 flops and 350 bytes a particle-step of GIMP in 2D
+    awk -v fma="$(value fma_gflops)" -v gbs="$(value copy_gbs)" -v gimp="$gimp" -v twin="$twin" 'BEGIN {
+        printf "bound-flops,65536,%.4g,,,,%.4g,%.4g\n", 500 / fma, 500 / fma / gimp, 500 / fma / twin
+        printf "bound-bytes,65536,%.4g,,,,%.4g,%.4g\n", 350 / gbs, 350 / gbs / gimp, 350 / gbs / twin }'
+} >"$work/t_03_speed.csv"
+mv "$work/t_03_speed.csv" "$OUT/t_03_speed.csv" || exit 1
+column -s, -t "$OUT/t_03_speed.csv" 2>/dev/null || cat "$OUT/t_03_speed.csv"
+"$bench" bytes gimp
+command -v gnuplot >/dev/null || { echo "SKIPPED gnuplot: no figure T-3" >&2; exit 0; }
+for fmt in svg png; do
+    gnuplot -e "fmt='$fmt'; out='$work/figure'; dir='$OUT'; name='t_03_speed'; csv='$OUT/t_03_speed.csv'; plots='plots'" \
+        plots/own/t_03_speed.gp && [ -s "$work/figure" ] && mv "$work/figure" "$OUT/t_03_speed.$fmt" || exit 1
+done
