@@ -71,7 +71,7 @@ static bool strain_chunk(Fem *f, int start)
     for (int k = 0; k < NMAT; k++) F[k] = f->F[k] + start;
     gather_edges(f, start, edge);
     deform(edge, f->inverse[start / CHUNK], F, J);
-    kirchhoff(&f->scene->mat, (const double *const *)F, T);
+    material_kirchhoff(&f->scene->mat, (const double *const *)F, T);
     push(edge, T, J, f->force + force_at(start, 0));
     return any_bad(J);
 }

@@ -93,7 +93,7 @@ static void point_stress(const void *self, Fields F, Fields sigma)
         Field T[NMAT];
         const double *now[NMAT];
         for (int k = 0; k < NMAT; k++) now[k] = f->F[k] + start;
-        kirchhoff(&f->scene->mat, now, T);
+        material_kirchhoff(&f->scene->mat, now, T);
         for (int e = start; e < start + CHUNK && e < f->elements; e++)
             share(f, e, (const Field *)T, F, sigma);
     }

@@ -28,7 +28,7 @@ static int init(Scene *s, char why[128])
         s->wall[s->nwall++] = (Wall){.axis = d, .side = -1, .at = 0, .hold = 1u << d};
         s->wall[s->nwall++] = (Wall){.axis = d, .side = 1, .at = 1, .hold = 1u << d};
     }
-    s->c = wave_speed_bar(&s->mat);
+    s->c = material_wave_speed_bar(&s->mat);
     s->t_end = 2 / s->c; /* one period */
     s->error_scale = scale_of_motion(s->par[AMPLITUDE], s->par[AMPLITUDE]);
     return 0;

@@ -22,7 +22,7 @@ static int init(Scene *s, char why[128])
     s->hi[0] = 1.25;
     s->body_hi[0] = 1;
     s->wall[s->nwall++] = (Wall){.axis = 0, .side = -1, .at = 0, .hold = 1};
-    s->c = wave_speed_bar(&s->mat);
+    s->c = material_wave_speed_bar(&s->mat);
     s->t_end = 4 / s->c;
     s->error_scale = scale_of_motion(s->par[V0], s->par[V0] / s->c);
     return 0;

@@ -42,7 +42,7 @@ static int init(Scene *s, char why[128])
     }
     const double E = 1e4, nu = DIM == 1 ? 0 : 0.3;
     s->mat = material_make(NEO_HOOKEAN, E, nu, 1);
-    s->c = wave_speed_bar(&s->mat);
+    s->c = material_wave_speed_bar(&s->mat);
     if (is_imposed(s)) s->mat = material_make(NEO_HOOKEAN, 1e-15 * E, nu, 1);
     for (int d = 0; d < DIM; d++) {
         s->hi[d] = s->par[BOX];

@@ -36,7 +36,7 @@ static int init(Scene *s, char why[128])
     s->body_hi[0] = length;
     s->body_hi[1] = height;
     s->wall[s->nwall++] = (Wall){.axis = 0, .side = -1, .at = 0, .hold = (1u << DIM) - 1};
-    s->c = wave_speed_bound(&s->mat);
+    s->c = material_wave_speed_bound(&s->mat);
     s->k[RAMP] = s->t_end = 2 * M_PI / w;
     s->k[TAU] = s->par[SHEAR] * s->par[E];
     s->error_scale = 1;

@@ -21,7 +21,7 @@ static int init(Scene *s, char why[128])
 {
     (void)why;
     s->mat = material_make(NEO_HOOKEAN, 1000, 0.3, 1000);
-    s->c = wave_speed_bound(&s->mat);
+    s->c = material_wave_speed_bound(&s->mat);
     s->t_end = 3;
     s->error_scale = 1;
     s->body = (Body){BODY_DISK, {start_at, start_at}, 0, radius, 0, 2 * M_PI};

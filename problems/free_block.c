@@ -25,7 +25,7 @@ static int init(Scene *s, char why[128])
         s->body_lo[d] = 0.5 * s->par[BOX] - 0.5;
         s->body_hi[d] = 0.5 * s->par[BOX] + 0.5;
     }
-    s->c = wave_speed_bound(&s->mat);
+    s->c = material_wave_speed_bound(&s->mat);
     s->error_scale = 1;
     return 0;
 }

@@ -28,7 +28,7 @@ static int init(Scene *s, char why[128])
     s->body_lo[1] = top - 1;
     s->body_hi[1] = top;
     s->wall[s->nwall++] = (Wall){.axis = 1, .side = 1, .at = top, .hold = (1u << DIM) - 1};
-    s->c = wave_speed_bound(&s->mat);
+    s->c = material_wave_speed_bound(&s->mat);
     s->t_end = 0.25;
     s->error_scale = 1;
     return 0;

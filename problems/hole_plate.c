@@ -14,7 +14,7 @@ static int init(Scene *s, char why[128])
 {
     (void)why;
     s->mat = material_make(NEO_HOOKEAN, 210e9, 0.3, 7850);
-    s->c = wave_speed_bound(&s->mat);
+    s->c = material_wave_speed_bound(&s->mat);
     s->t_end = 696e-6;
     s->error_scale = 1;
     s->body = (Body){BODY_HOLE_PLATE, {0, 0}, radius, width, 0, M_PI / 2};

@@ -32,8 +32,8 @@ static int init(Scene *s, char why[128])
         s->wall[s->nwall++] = (Wall){.axis = d, .side = -1, .at = 0, .hold = tangential};
         s->wall[s->nwall++] = (Wall){.axis = d, .side = 1, .at = 1, .hold = tangential};
     }
-    const double speed = shear ? sqrt(s->mat.mu / s->mat.rho) : wave_speed_p(&s->mat);
-    s->c = wave_speed_p(&s->mat);
+    const double speed = shear ? sqrt(s->mat.mu / s->mat.rho) : material_wave_speed_p(&s->mat);
+    s->c = material_wave_speed_p(&s->mat);
     s->k[OMEGA] = M_PI * sqrt(2) * speed;
     s->k[SIGN] = shear ? -1 : 1;
     s->t_end = M_PI / 2 / s->k[OMEGA]; /* a quarter period */

@@ -38,7 +38,7 @@ static int init(Scene *s, char why[128])
         return -1;
     }
     s->mat = material_make(NEO_HOOKEAN, 1e4, 0, 1);
-    s->c = wave_speed_bar(&s->mat);
+    s->c = material_wave_speed_bar(&s->mat);
     s->t_end = 2 / s->c;
     s->error_scale = scale_of_motion(s->par[AMPLITUDE], 1);
     s->body = (Body){BODY_RING, {s->par[OFFSET_X] * s->cell, s->par[OFFSET_Y] * s->cell},

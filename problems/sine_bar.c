@@ -21,7 +21,7 @@ static int init(Scene *s, char why[128])
     s->hi[0] = s->body_hi[0] = 1;
     s->wall[s->nwall++] = (Wall){.axis = 0, .side = -1, .at = 0, .hold = 1};
     s->wall[s->nwall++] = (Wall){.axis = 0, .side = 1, .at = 1, .hold = 1};
-    s->c = wave_speed_bar(&s->mat);
+    s->c = material_wave_speed_bar(&s->mat);
     s->t_end = 0.5 / s->c; /* a quarter period */
     s->error_scale = scale_of_motion(s->par[A], s->par[A]);
     return 0;

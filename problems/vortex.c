@@ -36,7 +36,7 @@ static int init(Scene *s, char why[128])
 {
     (void)why;
     s->mat = material_make(NEO_HOOKEAN, s->par[E], s->par[NU], s->par[RHO]);
-    s->c = wave_speed_bound(&s->mat);
+    s->c = material_wave_speed_bound(&s->mat);
     s->t_end = 1;
     s->error_scale = scale_of_motion(s->par[TURN], 1);
     s->body =

@@ -1,13 +1,13 @@
 /* study.h: what a study is: const data, a list of runs, and a check that reads the finished table.
- * The engine (run_study.c, journal.c) runs the cases, keeps the journal, writes NAME.csv, .json, .svg,
- * .png; a study page says only what is asked, what is plotted and what is claimed. */
+ * The engine (run_study.c, journal.c) runs the cases, keeps the journal, writes NAME.csv, .json,
+ * .svg, .png; a study page says only what is asked, what is plotted and what is claimed. */
 #ifndef MPMLAB_STUDY_H
 #define MPMLAB_STUDY_H
 
 #include <stdbool.h>
 #include "common/run/engine.h"
 #include "common/base/table.h"
-#include "studies/tables/measure.h"
+#include "measure.h"
 
 typedef struct Cases Cases;
 typedef struct Check Check;
@@ -51,12 +51,12 @@ void claim_differs(Check *check, const char *id, const char *statement, Measure 
 Table *claim_part(Check *check, const char *dir, const char *part);
 
 /* A number that the plot shows in its key: NAME.var holds "name = value" for gnuplot. */
-void note_number(Check *check, const char *name, double value);
+void claim_note(Check *check, const char *name, double value);
 
 /* Rows of the table that satisfy "column=value" for each of the n texts; collects column `want`.
  * Returns how many were found (at most max). Texts compare as numbers where both are numbers. */
-int rows_pick(const Table *t, int n, const char *const where[], const char *want, int max,
-              double out[]);
+int select_rows(const Table *t, int n, const char *const where[], const char *want, int max,
+                double out[]);
 
 /* Does the row satisfy all of them? */
 bool row_matches(const Table *t, int row, int n, const char *const where[]);
@@ -66,7 +66,8 @@ int study_case_count(const Study *study, bool quick);
 
 extern const Study *const studies[]; /* registry.c, NULL-terminated */
 
-/* The folder below studies/ and plots/ that holds the study's files; "." if it is not registered. */
+/* The folder below studies/ and plots/ that holds the study's files; "." if it is not registered.
+ */
 const char *study_room(const Study *study);
 
 #endif

@@ -57,7 +57,7 @@ static int edit_distance(const char *a, const char *b)
     return row[nb];
 }
 
-const char *nearest_name(const char *got, const char *const *names, int n)
+const char *fault_nearest_name(const char *got, const char *const *names, int n)
 {
     const char *best = NULL;
     int least = 0;

@@ -2,7 +2,7 @@
 #ifndef MPMLAB_FAULT_H
 #define MPMLAB_FAULT_H
 
-enum { FAULT_NONE = 0, FAULT_MACHINE = 1, FAULT_USAGE = 2 };
+enum { FAULT_NONE = 0, FAULT_MACHINE = 1, FAULT_USAGE = 2, FAULT_INTERRUPTED = 130 };
 
 typedef struct Fault {
     int code;       /* FAULT_*: the exit status that goes with it */
@@ -13,6 +13,6 @@ typedef struct Fault {
 int fault_set(Fault *f, int code, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* The name in `names` (n of them) nearest to `got` by edit distance, for "did you mean". */
-const char *nearest_name(const char *got, const char *const *names, int n);
+const char *fault_nearest_name(const char *got, const char *const *names, int n);
 
 #endif

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-int number_parse(const char *text, double *value)
+int info_number_parse(const char *text, double *value)
 {
     if (!*text || strspn(text, "+-.0123456789eE") != strlen(text))
         return -1; /* no hex, inf, " 1" */
@@ -18,7 +18,7 @@ int number_parse(const char *text, double *value)
     return 0;
 }
 
-void number_print(double x, char out[64])
+void info_number_print(double x, char out[64])
 {
     for (int digits = 15; digits <= 17; digits++) {
         snprintf(out, 64, "%.*g", digits, x);
@@ -52,27 +52,27 @@ static int parse_choice(const Param *p, const char *text, double *value, char ta
     return -1;
 }
 
-int param_parse(const Param *p, const char *text, double *value, char takes[128])
+int info_param_parse(const Param *p, const char *text, double *value, char takes[128])
 {
     if (p->choices) return parse_choice(p, text, value, takes);
     double x;
-    if (number_parse(text, &x) == 0 && x >= p->min && x <= p->max) {
+    if (info_number_parse(text, &x) == 0 && x >= p->min && x <= p->max) {
         *value = x;
         return 0;
     }
     char low[64], high[64];
-    number_print(p->min, low);
-    number_print(p->max, high);
+    info_number_print(p->min, low);
+    info_number_print(p->max, high);
     snprintf(takes, 128, "a number in [%.30s, %.30s]", low, high);
     return -1;
 }
 
-void param_print(const Param *p, double value, char out[64])
+void info_param_print(const Param *p, double value, char out[64])
 {
     const char *word;
     int length = p->choices ? choice(p->choices, (int)value, &word) : 0;
     if (length > 0)
         snprintf(out, 64, "%.*s", length, word);
     else
-        number_print(value, out);
+        info_number_print(value, out);
 }

@@ -23,15 +23,15 @@ typedef struct Info {
 
 /* Reads text as a value of p: a number within its range, or one of its words. Returns 0, or -1 with
  * a description of what it takes in takes[128]. */
-int param_parse(const Param *p, const char *text, double *value, char takes[128]);
+int info_param_parse(const Param *p, const char *text, double *value, char takes[128]);
 
 /* Writes the value as it is typed: a word, or the shortest %g that reads back the same. */
-void param_print(const Param *p, double value, char out[64]);
+void info_param_print(const Param *p, double value, char out[64]);
 
 /* The whole text as one finite decimal number: 0, or -1 and *value untouched. */
-int number_parse(const char *text, double *value);
+int info_number_parse(const char *text, double *value);
 
 /* Shortest decimal that reads back to exactly x (at most %.17g). */
-void number_print(double x, char out[64]);
+void info_number_print(double x, char out[64]);
 
 #endif

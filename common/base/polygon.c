@@ -78,7 +78,7 @@ static void whole_piece(Polygon *p, const double d[4], const Curved *c, bool one
     if (one_chord && exit >= 0 && fabs(kappa) > 0) bend_chord(p, exit, kappa);
 }
 
-int square_pieces(const double distance[4], const Curved *curved, Polygon piece[MAX_PIECES])
+int polygon_pieces(const double distance[4], const Curved *curved, Polygon piece[MAX_PIECES])
 {
     const double *d = distance;
     const bool in[4] = {d[0] > 0, d[1] > 0, d[2] > 0, d[3] > 0};

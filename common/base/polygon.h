@@ -23,7 +23,7 @@ typedef struct Curved {
  * two triangles. With `curved` (or NULL) edges are cut where the curve crosses them, and the chord
  * of a piece gets one corner more, so that the area is that of the circular segment. Returns the
  * number of pieces. */
-int square_pieces(const double distance[4], const Curved *curved, Polygon piece[MAX_PIECES]);
+int polygon_pieces(const double distance[4], const Curved *curved, Polygon piece[MAX_PIECES]);
 
 /* Area of a polygon, and its centroid if the area is positive. */
 double polygon_area(const Polygon *p, double centroid[2]);

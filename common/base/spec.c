@@ -66,7 +66,7 @@ static void put_text(Writer *w, const char *option, const char *text)
 static void put_number(Writer *w, const char *option, double x)
 {
     char text[64];
-    number_print(x, text);
+    info_number_print(x, text);
     if (x > 0) put(w, " --%s %s", option, text);
 }
 

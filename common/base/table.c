@@ -132,10 +132,10 @@ const char *table_text(const Table *t, int row, const char *name)
 double table_number(const Table *t, int row, const char *name)
 {
     double x;
-    return number_parse(table_text(t, row, name), &x) == 0 ? x : NAN;
+    return info_number_parse(table_text(t, row, name), &x) == 0 ? x : NAN;
 }
 
-void csv_cell(FILE *out, const char *text)
+void table_put_cell(FILE *out, const char *text)
 {
     if (!text[strcspn(text, ",\"\r\n")]) {
         fputs(text, out);
@@ -149,7 +149,7 @@ void csv_cell(FILE *out, const char *text)
     putc('"', out);
 }
 
-double order_fit(int n, const double x[], const double y[], double *err)
+double table_order_fit(int n, const double x[], const double y[], double *err)
 {
     double *lx = malloc(sizeof *lx * 2 * (size_t)(n > 0 ? n : 1));
     double slope = NAN, c0, c00, c01, c11 = NAN, sum;
@@ -163,4 +163,16 @@ double order_fit(int n, const double x[], const double y[], double *err)
     if (err) *err = m > 2 ? sqrt(c11) : NAN; /* two points leave no residual */
     free(lx);
     return slope;
+}
+
+void table_part_path(char path[PATH_TEXT], const char *dir, const char *name, const char *part)
+{
+    snprintf(path, PATH_TEXT, "%s/%s%s%s.csv", dir, name, part ? "." : "", part ? part : "");
+}
+
+Table *table_read_part(const char *dir, const char *name, const char *part, Fault *fault)
+{
+    char path[PATH_TEXT];
+    table_part_path(path, dir, name, part);
+    return table_read(path, fault);
 }

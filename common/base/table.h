@@ -16,12 +16,19 @@ typedef struct Table {
 Table *table_read(const char *path, Fault *fault);
 void table_free(Table *t);
 
+/* Opens dir/NAME.PART.csv, which a run or tables() left there. NULL and a fault if it cannot. */
+Table *table_read_part(const char *dir, const char *name, const char *part, Fault *fault);
+
+/* dir/NAME.PART.csv, or dir/NAME.csv if part is NULL. */
+enum { PATH_TEXT = 4096 };
+void table_part_path(char path[PATH_TEXT], const char *dir, const char *name, const char *part);
+
 int table_column(const Table *t, const char *name);                /* -1 if absent */
 const char *table_text(const Table *t, int row, const char *name); /* "" if absent */
 double table_number(const Table *t, int row, const char *name);    /* NAN if absent or empty */
 
 /* Puts text as one CSV cell (quoted if it must be). */
-void csv_cell(FILE *out, const char *text);
+void table_put_cell(FILE *out, const char *text);
 
 /* Can path be written, for all that can be told without doing it? 0 or a fault with code 1. */
 int file_check(const char *path, Fault *fault);
@@ -34,6 +41,6 @@ void file_abandon(FILE *f, const char *path);
 
 /* Least-squares slope of log y against log x (gsl_fit_linear), with its standard error in *err if
  * not NULL. NAN with fewer than two finite positive points. */
-double order_fit(int n, const double x[], const double y[], double *err);
+double table_order_fit(int n, const double x[], const double y[], double *err);
 
 #endif

@@ -115,7 +115,7 @@ static void write_all(Writer *w, const VtkData *d, const int64_t *count)
     append_all(w);
 }
 
-int vtk_write(const char *path, const VtkData *data, Fault *fault)
+int vtk_file_write(const char *path, const VtkData *data, Fault *fault)
 {
     int64_t *count = malloc(sizeof *count * ((size_t)data->points + 1));
     if (!count) return fault_set(fault, FAULT_MACHINE, "out of memory writing %s", path);
@@ -128,8 +128,8 @@ int vtk_write(const char *path, const VtkData *data, Fault *fault)
     return code;
 }
 
-int vtk_collect(const char *path, const char *stem, int n, const long step[], const double t[],
-                Fault *fault)
+int vtk_file_collect(const char *path, const char *stem, int n, const long step[], const double t[],
+                     Fault *fault)
 {
     FILE *out = file_begin(path, fault);
     if (!out) return FAULT_MACHINE;

@@ -30,11 +30,11 @@ typedef struct VtkData {
 } VtkData;
 
 /* 0 or a fault (1: memory, disk). */
-int vtk_write(const char *path, const VtkData *data, Fault *fault);
+int vtk_file_write(const char *path, const VtkData *data, Fault *fault);
 
 /* A collection: n files named STEM_000012.vtp (step[k] = 12) in path's own folder, at times t [s].
  */
-int vtk_collect(const char *path, const char *stem, int n, const long step[], const double t[],
-                Fault *fault);
+int vtk_file_collect(const char *path, const char *stem, int n, const long step[], const double t[],
+                     Fault *fault);
 
 #endif

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "layout.h"
+#include "problem.h"
 
 static bool grow(double **array, int room)
 {

@@ -1,9 +1,14 @@
-/* layout.h: where the points of a scene start: the plain lattice, or the scene's own arrangement. */
+/* layout.h: where the points of a scene start: the plain lattice, or the scene's own arrangement.
+ */
 #ifndef MPMLAB_LAYOUT_H
 #define MPMLAB_LAYOUT_H
 
+#include <stdbool.h>
 #include "common/base/fault.h"
-#include "problem.h"
+#include "dim.h"
+
+typedef struct Scene Scene; /* problem.h */
+typedef struct Layout Layout;
 
 /* Points in placement order. Owns its arrays; grows by doubling. */
 struct Layout {

@@ -13,17 +13,17 @@ Material material_make(Law law, double E, double nu, double rho)
                       .mu = E / (2 * (1 + nu))};
 }
 
-double wave_speed_bar(const Material *m)
+double material_wave_speed_bar(const Material *m)
 {
     return sqrt(m->E / m->rho);
 }
 
-double wave_speed_p(const Material *m)
+double material_wave_speed_p(const Material *m)
 {
     return sqrt((m->lambda + 2 * m->mu) / m->rho);
 }
 
-double wave_speed_bound(const Material *m)
+double material_wave_speed_bound(const Material *m)
 {
     return sqrt((m->lambda + 3 * m->mu) / m->rho);
 }
@@ -81,8 +81,8 @@ stress_loop(void (*law)(const Material *, const Mat, Mat), const Material *m,
     }
 }
 
-void kirchhoff_weighted(const Material *m, const double *const F[NMAT], const double weight[CHUNK],
-                        Field T[NMAT])
+void material_kirchhoff_weighted(const Material *m, const double *const F[NMAT],
+                                 const double weight[CHUNK], Field T[NMAT])
 {
     if (m->law == LINEAR)
         stress_loop(linear, m, F, weight, T);
@@ -90,11 +90,11 @@ void kirchhoff_weighted(const Material *m, const double *const F[NMAT], const do
         stress_loop(neo_hookean, m, F, weight, T);
 }
 
-void kirchhoff(const Material *m, const double *const F[NMAT], Field T[NMAT])
+void material_kirchhoff(const Material *m, const double *const F[NMAT], Field T[NMAT])
 {
     Field one;
     for (int p = 0; p < CHUNK; p++) one[p] = 1;
-    kirchhoff_weighted(m, F, one, T);
+    material_kirchhoff_weighted(m, F, one, T);
 }
 
 /* W11 eq 31 (its "- 2" is the trace of the identity in 2D). */
@@ -118,7 +118,7 @@ static double energy_linear(const Material *m, const Mat F)
     return 0.5 * m->lambda * trace * trace + m->mu * square;
 }
 
-void stored_energy(const Material *m, int n, const double *const F[NMAT], double psi[])
+void material_stored_energy(const Material *m, int n, const double *const F[NMAT], double psi[])
 {
     const bool linear = m->law == LINEAR;
     for (int p = 0; p < n; p++) {
@@ -128,7 +128,7 @@ void stored_energy(const Material *m, int n, const double *const F[NMAT], double
     }
 }
 
-double out_of_plane_stress(const Material *m, const Mat F)
+double material_out_of_plane_stress(const Material *m, const Mat F)
 {
     double J = determinant(F);
     if (DIM == 1) return 0;

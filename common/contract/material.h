@@ -17,24 +17,24 @@ typedef struct Material {
 /* Lame constants from E, nu. In 1D Poisson's ratio has no meaning and must be 0. */
 Material material_make(Law law, double E, double nu, double rho);
 
-double wave_speed_bar(const Material *m); /* sqrt(E/rho) */
-double wave_speed_p(const Material *m);   /* sqrt((lambda + 2 mu)/rho) */
-double
-wave_speed_bound(const Material *m); /* sqrt((lambda + 3 mu)/rho), W11 eq 33: an upper bound */
+double material_wave_speed_bar(const Material *m); /* sqrt(E/rho) */
+double material_wave_speed_p(const Material *m);   /* sqrt((lambda + 2 mu)/rho) */
+double material_wave_speed_bound(
+    const Material *m); /* sqrt((lambda + 3 mu)/rho), W11 eq 33: an upper bound */
 
 /* T = J sigma [Pa] for 64 particles, symmetric, row-major components. F, T: [NMAT][CHUNK]. Where
  * J <= 0 the result is NaN (neo-Hookean) or finite nonsense (linear): the caller checks J. */
-void kirchhoff(const Material *m, const double *const F[NMAT], Field T[NMAT]);
+void material_kirchhoff(const Material *m, const double *const F[NMAT], Field T[NMAT]);
 
 /* The same times a weight per particle: V0/h makes it the momentum flux of a deposit. */
-void kirchhoff_weighted(const Material *m, const double *const F[NMAT], const double weight[CHUNK],
-                        Field T[NMAT]);
+void material_kirchhoff_weighted(const Material *m, const double *const F[NMAT],
+                                 const double weight[CHUNK], Field T[NMAT]);
 
 /* Stored energy per reference volume psi [J/m^DIM] for n particles. */
-void stored_energy(const Material *m, int n, const double *const F[NMAT], double psi[]);
+void material_stored_energy(const Material *m, int n, const double *const F[NMAT], double psi[]);
 
 /* sigma_zz of plane strain [Pa] = (T_zz)/J: lambda ln J / J; 0 in 1D. */
-double out_of_plane_stress(const Material *m, const Mat F);
+double material_out_of_plane_stress(const Material *m, const Mat F);
 
 static inline double determinant(const Mat F)
 {

@@ -2,7 +2,8 @@
 #ifndef MPMLAB_SOLVER_H
 #define MPMLAB_SOLVER_H
 
-#include "common/run/engine.h"
+#include "common/base/fault.h"
+#include "common/base/info.h"
 #include "method.h"
 #include "points.h"
 #include "problem.h"

@@ -16,7 +16,7 @@ static void clear_row(Grid *g, int row)
 
 void sim_stress(const Sim *sim, const Chunk *c, Field T[NMAT])
 {
-    kirchhoff(&sim->setup->scene->mat, (const double *const *)c->F, T);
+    material_kirchhoff(&sim->setup->scene->mat, (const double *const *)c->F, T);
 }
 
 void sim_body(const Sim *sim, const Chunk *c, double t, Field b[DIM])
@@ -45,7 +45,8 @@ static void chunk_stress(const Sim *sim, const Chunk *c, bool force, Field T[NMA
     Field weight;
     for (int p = 0; p < CHUNK; p++) weight[p] = c->V0[p] * sim->g.cells;
     if (force)
-        kirchhoff_weighted(&sim->setup->scene->mat, (const double *const *)c->F, weight, T);
+        material_kirchhoff_weighted(&sim->setup->scene->mat, (const double *const *)c->F, weight,
+                                    T);
     else
         memset(T, 0, sizeof(Field) * NMAT);
 }

@@ -81,7 +81,7 @@ static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Ext
     if (take & (TAKE_X | TAKE_F | MOVE_STASH)) inspect_chunk(sim, &c, w, e);
 }
 
-void start_moments(Sim *sim)
+void gather_start_moments(Sim *sim)
 {
     Work w;
     for (int k = 0; k < sim->p.n / CHUNK; k++) {

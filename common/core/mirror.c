@@ -51,7 +51,7 @@ static void unfold_node(Sim *sim, const Mirror *m, size_t ghost, size_t image, i
     if (g->mass) g->mass[ghost] = 0;
 }
 
-bool grid_is_ghost_row(const Grid *g, int row, int above)
+bool mirror_is_ghost_row(const Grid *g, int row, int above)
 {
     for (int k = 0; k < g->nmirror; k++) {
         const Mirror *m = &g->mirror[k];
@@ -71,7 +71,7 @@ static void visit_pairs(Sim *sim, const Mirror *m, bool back, PairVisit *visit, 
     int stride = 1; /* of rows along the axis */
     for (int d = 1; d < m->axis; d++) stride *= g->n[d];
     for (int row = 0; row < g->rows; row++) {
-        if (back && grid_is_ghost_row(g, row, m->axis)) continue;
+        if (back && mirror_is_ghost_row(g, row, m->axis)) continue;
         if (DIM == 1 || m->axis == 0) {
             const int from = m->side < 0 ? g->lo[row] : m->at;
             const int to = m->side < 0 ? m->at + 1 : g->hi[row];
@@ -89,22 +89,22 @@ static void visit_pairs(Sim *sim, const Mirror *m, bool back, PairVisit *visit, 
     }
 }
 
-void grid_visit_pairs(Sim *sim, bool back, PairVisit *visit, void *own)
+void mirror_visit_pairs(Sim *sim, bool back, PairVisit *visit, void *own)
 {
     for (int k = 0; k < sim->g.nmirror; k++) visit_pairs(sim, &sim->g.mirror[k], back, visit, own);
 }
 
-void grid_fold(Sim *sim)
+void mirror_fold(Sim *sim)
 {
-    grid_visit_pairs(sim, false, fold_node, NULL);
+    mirror_visit_pairs(sim, false, fold_node, NULL);
 }
 
-void grid_unfold(Sim *sim, double dt)
+void mirror_unfold(Sim *sim, double dt)
 {
-    grid_visit_pairs(sim, true, unfold_node, &dt);
+    mirror_visit_pairs(sim, true, unfold_node, &dt);
 }
 
-size_t grid_image(const Grid *g, const int index[DIM], double sign[DIM])
+size_t mirror_image(const Grid *g, const int index[DIM], double sign[DIM])
 {
     int own[DIM];
     for (int d = 0; d < DIM; d++) own[d] = index[d], sign[d] = 1;
@@ -124,7 +124,7 @@ size_t grid_image(const Grid *g, const int index[DIM], double sign[DIM])
 }
 
 /* The image of every live ghost is live. */
-static void mirror_spans(Grid *g, const Mirror *m)
+static void reach_images(Grid *g, const Mirror *m)
 {
     int stride = 1;
     for (int d = 1; d < m->axis; d++) stride *= g->n[d];
@@ -145,9 +145,9 @@ static void mirror_spans(Grid *g, const Mirror *m)
     }
 }
 
-void grid_mirror_spans(Grid *g)
+void mirror_spans(Grid *g)
 {
-    for (int k = 0; k < g->nmirror; k++) mirror_spans(g, &g->mirror[k]);
+    for (int k = 0; k < g->nmirror; k++) reach_images(g, &g->mirror[k]);
 }
 
 /* Velocity and acceleration of node `at` from its image across a wall that holds components `held`.
@@ -174,13 +174,14 @@ static void wall_images(Grid *g, int axis, int at, int side)
             const int to = axis > 0 ? g->hi[row] : at + side * k + 1;
             for (index[0] = from; index[0] < to && g->lo[row] < g->hi[row]; index[0]++) {
                 image[0] = axis > 0 ? index[0] : at - side * k;
-                const size_t ghost = grid_image(g, index, sign), own = grid_image(g, image, sign);
+                const size_t ghost = mirror_image(g, index, sign),
+                             own = mirror_image(g, image, sign);
                 if (ghost != NOWHERE && own != NOWHERE) reflect(g, ghost, own, g->hold[axis][at]);
             }
         }
 }
 
-void grid_wall_images(Sim *sim)
+void mirror_wall_images(Sim *sim)
 {
     Grid *g = &sim->g;
     for (int d = 0; d < DIM; d++) {

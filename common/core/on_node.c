@@ -70,8 +70,8 @@ void mark_body(Sim *sim)
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < sim->g.rows; row++)
         if (sim->g.lo[row] < sim->g.hi[row]) mark_row(sim, row);
-    grid_visit_pairs(sim, false, fold_mark, NULL);
-    grid_visit_pairs(sim, true, unfold_mark, NULL);
+    mirror_visit_pairs(sim, false, fold_mark, NULL);
+    mirror_visit_pairs(sim, true, unfold_mark, NULL);
 }
 
 /* The nodes along one axis on which a particle's slope stands: three a line. */

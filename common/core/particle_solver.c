@@ -125,7 +125,7 @@ static void core_stress(const void *self, Fields F, Fields sigma)
     for (int at = 0; at < sim->p.n; at += CHUNK) {
         const Chunk c = sim_chunk(sim, at / CHUNK);
         Field T[NMAT];
-        kirchhoff(&sim->setup->scene->mat, (const double *const *)c.F, T);
+        material_kirchhoff(&sim->setup->scene->mat, (const double *const *)c.F, T);
         for (int p = 0; p < CHUNK && at + p < sim->p.n; p++) {
             Mat f;
             for (int k = 0; k < NMAT; k++) F[k][at + p] = f[k] = c.F[k][p];

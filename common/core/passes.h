@@ -21,7 +21,7 @@ void solve_all(Sim *sim, double dt, double scale, bool force);
 bool gather_all(Sim *sim, double dt, unsigned take);
 
 /* With a method of moments: what a particle keeps starts as L D, not L. */
-void start_moments(Sim *sim);
+void gather_start_moments(Sim *sim);
 
 /* w = S v of every particle, for a filter's round. */
 void gather_velocity(Sim *sim);

@@ -115,24 +115,26 @@ void sim_sort(Sim *sim);
 /* Symmetry: ghosts beyond each mirror line are added to their images (fold, after a deposit; body
  * force too) and filled from them (unfold, before a gather); mirror.c. All by parity per component,
  * so that no method knows of it. unfold also books what the ghosts' share of momentum received. */
-void grid_fold(Sim *sim);
+void mirror_fold(Sim *sim);
 typedef void PairVisit(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
                        void *own);
-void grid_visit_pairs(Sim *sim, bool back, PairVisit *visit, void *own); /* ghosts, their images */
-void grid_unfold(Sim *sim, double dt);
-void grid_mirror_spans(Grid *g);
-void grid_wall_images(
+void mirror_visit_pairs(Sim *sim, bool back, PairVisit *visit,
+                        void *own); /* ghosts, their images */
+void mirror_unfold(Sim *sim, double dt);
+void mirror_spans(Grid *g);
+void mirror_wall_images(
     Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */
-bool grid_is_ghost_row(const Grid *g, int row, int above); /* of a mirror across an axis > above */
+bool mirror_is_ghost_row(const Grid *g, int row,
+                         int above); /* of a mirror across an axis > above */
 
-/* Which components unilateral walls hold at node i of a row, whose p and f are those of the equations
- * of motion over dt [s]; solve.c. */
+/* Which components unilateral walls hold at node i of a row, whose p and f are those of the
+ * equations of motion over dt [s]; solve.c. */
 unsigned grid_stops(const Grid *g, int row, int i, double dt);
 
 /* Node number of grid index `index`, or of its image if it lies beyond a symmetry line: then
  * sign[a] is the parity of component a, else 1. NOWHERE outside the live nodes. */
 #define NOWHERE ((size_t)-1)
-size_t grid_image(const Grid *g, const int index[DIM], double sign[DIM]);
+size_t mirror_image(const Grid *g, const int index[DIM], double sign[DIM]);
 
 /* What a chunk's points carry at time t: T = J sigma [Pa] and body force per mass b [m/s^2] (0 if
  * the scene has none). Distance [cells] of a node inside the body, from a scene that knows it; else

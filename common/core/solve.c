@@ -129,14 +129,14 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
     for (int row = 0; row < g->rows; row++)
         for (int a = 0; a < DIM; a++) g->impulse[row][a] = 0;
     if (books_early(sim) && force) book_forces(sim, dt * scale);
-    if (g->nmirror) grid_fold(sim);
+    if (g->nmirror) mirror_fold(sim);
     if (sim->method.repair) sim->method.repair(sim, dt * scale);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0))
+        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
             solve_row(sim, row, dt, scale, share, force);
-    if (g->nmirror) grid_unfold(sim, share);
-    if (sim->method.wall_images) grid_wall_images(sim);
+    if (g->nmirror) mirror_unfold(sim, share);
+    if (sim->method.wall_images) mirror_wall_images(sim);
     long live = 0;
     for (int row = 0; row < g->rows; row++) {
         if (g->lo[row] < g->hi[row]) live += g->live[row];

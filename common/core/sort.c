@@ -136,7 +136,7 @@ static void find_spans(Sim *sim, const int order[])
         }
         touch_rows(g, cell, lo, hi, down, up);
     }
-    grid_mirror_spans(g);
+    mirror_spans(g);
 }
 
 void sim_sort(Sim *sim)
@@ -156,5 +156,5 @@ void sim_sort(Sim *sim)
     cut_blocks(sim, order, source);
     permute(sim, source);
     sim->travel = 0;
-    if (first && sim->method.moments) start_moments(sim);
+    if (first && sim->method.moments) gather_start_moments(sim);
 }

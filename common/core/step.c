@@ -27,7 +27,8 @@ static const struct {
     [USF] = {false, {{true, false, TAKE_F, 0}, {true, true, TAKE_V | TAKE_X, 0}}},
 };
 
-const char *const integrator_names[INTEGRATORS + 1] = {"cd", "uvf", "musl", "usl", "usf", NULL};
+const char *const step_integrator_names[INTEGRATORS + 1] = {"cd",  "uvf", "musl",
+                                                            "usl", "usf", NULL};
 
 bool integrator_half_first(Integrator i)
 {

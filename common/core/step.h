@@ -6,7 +6,7 @@
 #include "sim.h"
 
 /* Names as typed: "cd", "uvf", "musl", "usl", "usf". */
-extern const char *const integrator_names[INTEGRATORS + 1];
+extern const char *const step_integrator_names[INTEGRATORS + 1];
 
 /* Does its first step take half the acceleration, so that velocities live half a step after t? */
 bool integrator_half_first(Integrator i);

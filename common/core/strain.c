@@ -59,7 +59,7 @@ static void exponential_space(const Mat A, Mat out)
     }
 }
 
-void matrix_exponential(const Mat A, Mat out)
+void strain_exponential(const Mat A, Mat out)
 {
     if (DIM == 1)
         out[0] = exp(A[0]);
@@ -80,7 +80,7 @@ void strain_chunk(const Setup *setup, const Chunk *c, const Field sums[], double
             growth[k] = (k % (DIM + 1) == 0) + A[k];
             F[k] = c->F[k][p];
         }
-        if (whole) matrix_exponential(A, growth);
+        if (whole) strain_exponential(A, growth);
         for (int round = 0; round < rounds; round++) {
             multiply(growth, F, next);
             copy(next, F);

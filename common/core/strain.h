@@ -6,7 +6,7 @@
 
 /* exp(A); 1D and plane in closed form, in space by a series of A/2^s, squared s times (Moler & Van
  * Loan 2003). */
-void matrix_exponential(const Mat A, Mat out);
+void strain_exponential(const Mat A, Mat out);
 
 /* F of a chunk over dt [s] from L, gathered in the lanes FLUX + b DIM + a of sums [1/s]: exp(dt L)
  * F, or (I + dt L/k)^k F with k = setup->subcycles. */

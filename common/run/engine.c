@@ -13,7 +13,7 @@ static void say_params(const Param *p, FILE *out)
 {
     for (; p && p->name; p++) {
         char value[64];
-        param_print(p, p->value, value);
+        info_param_print(p, p->value, value);
         fprintf(out, "%s\t%s\t%s\t%s%s%s%s\t%s\n", p->name, value, *p->unit ? p->unit : "-",
                 p->meaning, p->choices ? " (" : "", p->choices ? p->choices : "",
                 p->choices ? ")" : "", p->source);
@@ -41,13 +41,14 @@ static void say_problem(const Problem *p, FILE *out)
         fprintf(out, "t_end\t%.9g\ts\tend of the run\t\n", plan.scene.t_end);
     }
     say_params(p->info.params, out);
-    say_params(common_params, out);
+    say_params(settings_common, out);
     if (p->projection) return;
     fprintf(out, "wave speed\t%.9g\tm/s\tc in dt0 = CFL h/c\t\n", plan.scene.c);
-    fprintf(out, "wave speed\t%.9g\tm/s\tbar, sqrt(E/rho)\t\n", wave_speed_bar(m));
-    fprintf(out, "wave speed\t%.9g\tm/s\tP wave, sqrt((lambda + 2 mu)/rho)\t\n", wave_speed_p(m));
+    fprintf(out, "wave speed\t%.9g\tm/s\tbar, sqrt(E/rho)\t\n", material_wave_speed_bar(m));
+    fprintf(out, "wave speed\t%.9g\tm/s\tP wave, sqrt((lambda + 2 mu)/rho)\t\n",
+            material_wave_speed_p(m));
     fprintf(out, "wave speed\t%.9g\tm/s\tupper bound, sqrt((lambda + 3 mu)/rho)\tW11 eq 33\n",
-            wave_speed_bound(m));
+            material_wave_speed_bound(m));
 }
 
 static int describe(const char *name, FILE *out)

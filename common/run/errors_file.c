@@ -19,13 +19,13 @@ static int *slots_with_mass(const Points *p, int *count)
     return slot;
 }
 
-int write_errors(const char *path, const Scene *scene, const Points *p, double t, Scratch *s,
-                 Fault *fault)
+int output_errors(const char *path, const Scene *scene, const Points *p, double t, Scratch *s,
+                  Fault *fault)
 {
     int count, *slot = slots_with_mass(p, &count);
     if (!slot) return fault_set(fault, FAULT_MACHINE, "out of memory writing %s", path);
     FILE *out = file_begin(path, fault);
-    displacement_errors(scene, p, t, s);
+    norm_displacement(scene, p, t, s);
     if (out) fputs("id,X,Y,error,weight\n", out);
     for (int id = 0; out && id < count; id++) {
         const int k = slot[id];

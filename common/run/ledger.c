@@ -17,8 +17,8 @@ Side measure_side(const Loop *l)
 {
     const Points p = points_of(l);
     Side s;
-    s.kinetic = kinetic_energy(&p);
-    s.mv = momentum(&p, s.p);
+    s.kinetic = ledger_kinetic(&p);
+    s.mv = ledger_momentum(&p, s.p);
     return s;
 }
 
@@ -27,13 +27,13 @@ void measure_state(Loop *l, Moment *m)
     Points p;
     Samples q;
     l->plan->solver->view(l->self, &p, &q);
-    m->strain = strain_energy(&l->plan->scene, &q, &l->scratch);
+    m->strain = ledger_strain(&l->plan->scene, &q, &l->scratch);
     if (!l->history) return;
-    const Volumes v = volumes(&q);
+    const Volumes v = ledger_volumes(&q);
     m->volume = v.sum;
     m->least_J = v.least;
     m->most_J = v.most;
-    m->angular = angular_momentum(&p);
+    m->angular = ledger_angular_momentum(&p);
 }
 
 /* The larger number; NAN, which stands for nothing measured so far, is less than any. */
@@ -78,7 +78,7 @@ static void note_growth(Loop *l)
 {
     const Points p = points_of(l);
     l->growth_step = l->done;
-    l->fastest = fastest_point(&p, &l->speed);
+    l->fastest = ledger_fastest_point(&p, &l->speed);
 }
 
 void record_energy(Loop *l, Moment *m, const Side *before, const Side *after)
@@ -89,7 +89,7 @@ void record_energy(Loop *l, Moment *m, const Side *before, const Side *after)
     if (l->instants++ == 0) l->start = l->now;
     l->largest = larger(l->largest, stored);
     if (l->growth_step < 0 && l->done > 0 && is_growth(l, before, after)) note_growth(l);
-    if (l->history) history_line(l->history, m);
+    if (l->history) output_history_line(l->history, m);
 }
 
 void record_momentum(Loop *l, const Side *after)

@@ -3,17 +3,17 @@
 #include <stdlib.h>
 #include "norm.h"
 
-bool scratch_fit(Scratch *s, int n)
+bool norm_scratch_fit(Scratch *s, int n)
 {
     if (n <= s->room) return true;
-    scratch_free(s);
+    norm_scratch_free(s);
     bool ok = (s->w = malloc(sizeof(double) * (size_t)n)) != NULL;
     for (int d = 0; d < DIM; d++) ok = (s->v[d] = malloc(sizeof(double) * (size_t)n)) && ok;
     s->room = ok ? n : 0;
     return ok;
 }
 
-void scratch_free(Scratch *s)
+void norm_scratch_free(Scratch *s)
 {
     free(s->w);
     for (int d = 0; d < DIM; d++) free(s->v[d]);
@@ -37,7 +37,7 @@ static Errors norms(int n, const double e[], const double w[])
     return (Errors){most, sqrt(square / weight), sum / weight};
 }
 
-Errors displacement_errors(const Scene *scene, const Points *p, double t, Scratch *s)
+Errors norm_displacement(const Scene *scene, const Points *p, double t, Scratch *s)
 {
     scene->problem->exact(scene, p->n, p->X, t, s->v);
     for (int k = 0; k < p->n; k++) {
@@ -51,7 +51,7 @@ Errors displacement_errors(const Scene *scene, const Points *p, double t, Scratc
     return norms(p->n, s->w, p->V0);
 }
 
-Errors projection_errors(const Scene *scene, const Nodes *n, Scratch *s)
+Errors norm_projection(const Scene *scene, const Nodes *n, Scratch *s)
 {
     double *weight = s->v[0];
     scene->problem->exact(scene, n->n, n->x, 0, s->v);
@@ -70,7 +70,7 @@ Errors projection_errors(const Scene *scene, const Nodes *n, Scratch *s)
     return norms(n->n, s->w, weight);
 }
 
-double kinetic_energy(const Points *p)
+double ledger_kinetic(const Points *p)
 {
     double sum = 0;
     for (int k = 0; k < p->n; k++) {
@@ -81,10 +81,10 @@ double kinetic_energy(const Points *p)
     return sum;
 }
 
-double strain_energy(const Scene *scene, const Samples *q, Scratch *s)
+double ledger_strain(const Scene *scene, const Samples *q, Scratch *s)
 {
     double sum = 0;
-    stored_energy(&scene->mat, q->n, q->F, s->w);
+    material_stored_energy(&scene->mat, q->n, q->F, s->w);
     for (int k = 0; k < q->n; k++) sum += q->V0[k] > 0 ? q->V0[k] * s->w[k] : 0;
     return sum;
 }
@@ -100,7 +100,7 @@ double body_work(const Scene *scene, const Points *p, ConstFields from, double t
     return sum;
 }
 
-double momentum(const Points *p, Vec out)
+double ledger_momentum(const Points *p, Vec out)
 {
     double sum = 0;
     for (int d = 0; d < DIM; d++) out[d] = 0;
@@ -115,7 +115,7 @@ double momentum(const Points *p, Vec out)
     return sum;
 }
 
-double angular_momentum(const Points *p)
+double ledger_angular_momentum(const Points *p)
 {
     double mass = 0, x[2] = {0}, mv[2] = {0}, sum = 0;
     const int last = DIM - 1;
@@ -129,7 +129,7 @@ double angular_momentum(const Points *p)
     return sum - (x[0] * mv[1] - x[1] * mv[0]) / mass;
 }
 
-Volumes volumes(const Samples *q)
+Volumes ledger_volumes(const Samples *q)
 {
     Volumes out = {0, NAN, NAN};
     bool any = false;
@@ -146,7 +146,7 @@ Volumes volumes(const Samples *q)
     return out;
 }
 
-int fastest_point(const Points *p, double *speed)
+int ledger_fastest_point(const Points *p, double *speed)
 {
     int fastest = -1;
     *speed = 0;

@@ -20,31 +20,32 @@ typedef struct Scratch {
     double *v[DIM], *w;
 } Scratch;
 
-bool scratch_fit(Scratch *s, int n); /* false: out of memory */
-void scratch_free(Scratch *s);
+bool norm_scratch_fit(Scratch *s, int n); /* false: out of memory */
+void norm_scratch_free(Scratch *s);
 
 /* e = |x - X - u_exact(X, t)|, W11 eq 38; leaves each point's e over the scale in s->w. */
-Errors displacement_errors(const Scene *scene, const Points *p, double t, Scratch *s);
+Errors norm_displacement(const Scene *scene, const Points *p, double t, Scratch *s);
 
 /* e = |v_i - v(x_i)| / |v(x_i)| over nodes with mass inside the body, equal weights, W07 eq 3.1. */
-Errors projection_errors(const Scene *scene, const Nodes *n, Scratch *s);
+Errors norm_projection(const Scene *scene, const Nodes *n, Scratch *s);
 
 /* Volume now, sum V0 J [m^DIM], and the extremes of J. */
 typedef struct Volumes {
     double sum, least, most;
 } Volumes;
 
-Volumes volumes(const Samples *q);
-double kinetic_energy(const Points *p);                                 /* [J] */
-double strain_energy(const Scene *scene, const Samples *q, Scratch *s); /* [J] */
-double angular_momentum(const Points *p);  /* [kg m^2/s] about the centre of mass; NAN but in 2D */
-double momentum(const Points *p, Vec out); /* [kg m/s]; returns sum of m |v| */
+Volumes ledger_volumes(const Samples *q);
+double ledger_kinetic(const Points *p);                                 /* [J] */
+double ledger_strain(const Scene *scene, const Samples *q, Scratch *s); /* [J] */
+double
+ledger_angular_momentum(const Points *p); /* [kg m^2/s] about the centre of mass; NAN but in 2D */
+double ledger_momentum(const Points *p, Vec out); /* [kg m/s]; returns sum of m |v| */
 
 /* [J] Work of the body forces of time t on the way of each point from from[DIM][id]: sum of
  * m b(X, t) . (x - from). Velocities do not enter: FLIP particles do not move with their own. */
 double body_work(const Scene *scene, const Points *p, ConstFields from, double t, Scratch *s);
 
 /* Id of the fastest point with mass (the lowest of equals; -1: none), and its speed [m/s]. */
-int fastest_point(const Points *p, double *speed);
+int ledger_fastest_point(const Points *p, double *speed);
 
 #endif

@@ -15,14 +15,14 @@ static double axis(const double *const v[DIM], int a, int k)
     return a < DIM ? v[a % DIM][k] : NAN;
 }
 
-void history_header(FILE *out)
+void output_history_header(FILE *out)
 {
     fputs(
         "t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume,least_J,most_J,angular\n",
         out);
 }
 
-void history_line(FILE *out, const Moment *m)
+void output_history_line(FILE *out, const Moment *m)
 {
     const double columns[] = {m->t,
                               m->kinetic,
@@ -71,8 +71,8 @@ static int write_state(const char *path, const State *s, Fault *fault)
     return file_commit(out, path, fault);
 }
 
-int write_particles(const char *path, const Scene *scene, const Solver *solver, const void *self,
-                    Fault *fault)
+int output_particles(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                     Fault *fault)
 {
     State s;
     if (state_of_points(&s, scene, solver, self, fault)) return FAULT_MACHINE;
@@ -81,18 +81,18 @@ int write_particles(const char *path, const Scene *scene, const Solver *solver, 
     return code;
 }
 
-int write_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
-                  Fault *fault)
+int output_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                   Fault *fault)
 {
     State s;
-    if (!solver->elements) return write_particles(path, scene, solver, self, fault);
+    if (!solver->elements) return output_particles(path, scene, solver, self, fault);
     if (state_of_elements(&s, scene, solver, self, fault)) return FAULT_MACHINE;
     const int code = write_state(path, &s, fault);
     state_free(&s);
     return code;
 }
 
-int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault)
+int output_nodes(const char *path, const Solver *solver, const void *self, Fault *fault)
 {
     Nodes n;
     FILE *out = file_begin(path, fault);
@@ -126,7 +126,7 @@ static void patch_lines(void *own, const Patch *patch)
     p->n++;
 }
 
-int write_patches(const char *path, const Solver *solver, const void *self, Fault *fault)
+int output_patches(const char *path, const Solver *solver, const void *self, Fault *fault)
 {
     Polygons p = {file_begin(path, fault), 0};
     if (!p.out) return FAULT_MACHINE;

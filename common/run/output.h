@@ -16,26 +16,26 @@ typedef struct Moment {
     double angular; /* [kg m^2/s] about the centre of mass; 2D; of v half a step before x */
 } Moment;
 
-void history_header(FILE *out);
-void history_line(FILE *out, const Moment *m);
+void output_history_header(FILE *out);
+void output_history_line(FILE *out, const Moment *m);
 
 /* All points in placement order. 0 or a fault (1: memory, disk). */
-int write_particles(const char *path, const Scene *scene, const Solver *solver, const void *self,
-                    Fault *fault);
+int output_particles(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                     Fault *fault);
 
 /* What carries strain, the same columns: elements of a mesh (positions and velocities are means of
  * their corners, mass their own), else particles. */
-int write_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
-                  Fault *fault);
+int output_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
+                   Fault *fault);
 /* What the norms of that instant are made of, in placement order: id,X,Y,error,weight. */
-int write_errors(const char *path, const Scene *scene, const Points *p, double t, Scratch *s,
-                 Fault *fault);
+int output_errors(const char *path, const Scene *scene, const Points *p, double t, Scratch *s,
+                  Fault *fault);
 
 /* Live nodes with their velocities: id,x,y,mass,vx,vy. Of solvers that have nodes. */
-int write_nodes(const char *path, const Solver *solver, const void *self, Fault *fault);
+int output_nodes(const char *path, const Solver *solver, const void *self, Fault *fault);
 
 /* Polygons of cells or elements as the last step had them: cell,k,x,y,cut; a blank line between
  * two. Of solvers that have patches; none after a run that ended before its first grid. */
-int write_patches(const char *path, const Solver *solver, const void *self, Fault *fault);
+int output_patches(const char *path, const Solver *solver, const void *self, Fault *fault);
 
 #endif

@@ -33,7 +33,7 @@ static int read_params(const RunSpec *spec, const Param *params, double value[],
     for (int k = 0; k < param_count(params); k++) {
         const char *text = spec_get(spec, params[k].name);
         value[k] = params[k].value;
-        if (text && param_parse(&params[k], text, &value[k], takes))
+        if (text && info_param_parse(&params[k], text, &value[k], takes))
             return fault_set(fault, FAULT_USAGE, "--set %s: got '%s', takes %s", params[k].name,
                              text, takes);
     }
@@ -42,7 +42,8 @@ static int read_params(const RunSpec *spec, const Param *params, double value[],
 
 static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
 {
-    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params, common_params};
+    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params,
+                            settings_common};
     const char *names[3 * MAX_PARAMS];
     int n = 0;
     for (int l = 0; l < 3; l++) {
@@ -54,7 +55,7 @@ static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
         "--set %s: got '%s', takes a parameter of %s, %s or of every run; did you mean "
         "'%s'?",
         name, name, plan->scene.problem->info.name, plan->method->name,
-        nearest_name(name, names, n));
+        fault_nearest_name(name, names, n));
 }
 
 static const Problem *find_problem(const char *name)
@@ -86,7 +87,7 @@ static int choose_method(RunSpec *spec, Plan *plan, Fault *fault)
     if (plan->method) return 0;
     return fault_set(fault, FAULT_USAGE,
                      "--method: got '%s', takes a method of %dD; did you mean '%s'?", spec->method,
-                     DIM, nearest_name(spec->method, names, n));
+                     DIM, fault_nearest_name(spec->method, names, n));
 }
 
 /* 1D: a whole number of particles; 2D lattice: n^2 per cell. */
@@ -130,7 +131,7 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
     char text[64], pair[128];
     for (int l = 0; l < 2; l++)
         for (int k = 0; k < param_count(lists[l]); k++) {
-            param_print(&lists[l][k], values[l][k], text);
+            info_param_print(&lists[l][k], values[l][k], text);
             snprintf(pair, sizeof pair, "%s=%s", lists[l][k].name, text);
             if (spec_set(spec, pair, fault)) return FAULT_USAGE;
         }
@@ -138,16 +139,16 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
     int n = 0; /* what the defaults would say anyway, or is said elsewhere, is left out; but not
                 * the dimension, without which this were another run */
     for (int k = 0; k < spec->nset; k++) {
-        const Param *p = param_find(common_params, spec->set[k].name);
+        const Param *p = param_find(settings_common, spec->set[k].name);
         double value = 0;
         char takes[128];
-        const bool read = p && !param_parse(p, spec->set[k].value, &value, takes);
-        const double known = p == &common_params[P_LAYOUT] ? usual : p ? p->value : 0;
-        const bool differs = p == &common_params[P_DIM] || fabs(value - known) > 0;
-        const bool keep = !p || (p != &common_params[P_PARTICLES] && read && differs);
+        const bool read = p && !info_param_parse(p, spec->set[k].value, &value, takes);
+        const double known = p == &settings_common[P_LAYOUT] ? usual : p ? p->value : 0;
+        const bool differs = p == &settings_common[P_DIM] || fabs(value - known) > 0;
+        const bool keep = !p || (p != &settings_common[P_PARTICLES] && read && differs);
         if (!keep) continue;
         if (p) { /* as it would be printed: 3, not 03 */
-            param_print(p, value, text);
+            info_param_print(p, value, text);
             strcpy(spec->set[k].value, text);
         }
         spec->set[n++] = spec->set[k];
@@ -239,12 +240,12 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     for (int k = 0; k < spec->nset; k++)
         if (unknown_setting(plan, spec->set[k].name, fault)) return FAULT_USAGE;
     if (!(spec->cells > 0)) spec->cells = plan->scene.problem->cells;
-    if (read_params(spec, common_params, run, fault) || whole("steps", run[P_STEPS], fault) ||
+    if (read_params(spec, settings_common, run, fault) || whole("steps", run[P_STEPS], fault) ||
         whole("particles", run[P_PARTICLES], fault) || whole("repeat", run[P_REPEAT], fault) ||
         whole("subcycles", run[P_SUBCYCLES], fault) ||
         read_params(spec, plan->method->params, plan->method_par, fault) ||
-        make_scene(spec, plan, fault) || settle_integrator(spec, plan, run, fault) ||
-        settle_strain(spec, plan, run, fault) || check_outputs(spec, plan, fault))
+        make_scene(spec, plan, fault) || settings_integrator(spec, plan, run, fault) ||
+        settings_strain(spec, plan, run, fault) || check_outputs(spec, plan, fault))
         return FAULT_USAGE;
     s->scene = &plan->scene;
     s->method_par = plan->method_par;

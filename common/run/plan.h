@@ -3,6 +3,7 @@
 #define MPMLAB_PLAN_H
 
 #include "common/contract/solver.h"
+#include "engine.h"
 
 enum { MAX_PARAMS = 32 };
 
@@ -29,7 +30,7 @@ int no_exact_motion(const RunSpec *spec, Fault *fault);
 int run_spec(const RunSpec *spec, Row *row, Fault *fault);
 
 /* The parameters that every run takes, ended by a NULL name. */
-extern const Param *const common_params;
+extern const Param *const settings_common;
 
 /* The registries of this dimension, NULL-terminated; registry.c. Solvers that are chosen by name
  * like a method (FEM) stand with the methods in method_infos. */

@@ -23,7 +23,7 @@ static Errors errors_now(Loop *l, double t)
     Samples q;
     if (!l->plan->scene.problem->exact) return (Errors){NAN, NAN, NAN};
     l->plan->solver->view(l->self, &p, &q);
-    return displacement_errors(&l->plan->scene, &p, t, &l->scratch);
+    return norm_displacement(&l->plan->scene, &p, t, &l->scratch);
 }
 
 static void take_step(Loop *l, double t)
@@ -115,8 +115,9 @@ static int project(Loop *l, Fault *fault)
     l->wall = seconds(CLOCK_MONOTONIC) - wall;
     if (l->status.code != OK) return 0;
     l->plan->solver->nodes(l->self, &nodes);
-    if (!scratch_fit(&l->scratch, nodes.n)) return fault_set(fault, FAULT_MACHINE, "out of memory");
-    l->worst = projection_errors(&l->plan->scene, &nodes, &l->scratch);
+    if (!norm_scratch_fit(&l->scratch, nodes.n))
+        return fault_set(fault, FAULT_MACHINE, "out of memory");
+    l->worst = norm_projection(&l->plan->scene, &nodes, &l->scratch);
     if (isnan(l->worst.linf)) l->status = (Status){EMPTY, 0, 0}; /* no node was measured */
     return 0;
 }
@@ -133,7 +134,7 @@ static int write_errors_now(const char *path, Loop *l, Fault *fault)
     Samples q;
     const double t = (double)steps_moved(l) * l->dt;
     l->plan->solver->view(l->self, &p, &q);
-    return write_errors(path, &l->plan->scene, &p, t, &l->scratch, fault);
+    return output_errors(path, &l->plan->scene, &p, t, &l->scratch, fault);
 }
 
 /* The files of the run's end; nodes hold the velocities of the last projection. */
@@ -142,12 +143,12 @@ static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
     const Solver *solver = l->plan->solver;
     int code = 0;
     if (spec->particles)
-        code = write_particles(spec->particles, &l->plan->scene, solver, l->self, fault);
+        code = output_particles(spec->particles, &l->plan->scene, solver, l->self, fault);
     if (!code && spec->samples)
-        code = write_samples(spec->samples, &l->plan->scene, solver, l->self, fault);
+        code = output_samples(spec->samples, &l->plan->scene, solver, l->self, fault);
     if (!code && spec->errors) code = write_errors_now(spec->errors, l, fault);
-    if (!code && spec->nodes) code = write_nodes(spec->nodes, solver, l->self, fault);
-    if (!code && spec->patches) code = write_patches(spec->patches, solver, l->self, fault);
+    if (!code && spec->nodes) code = output_nodes(spec->nodes, solver, l->self, fault);
+    if (!code && spec->patches) code = output_patches(spec->patches, solver, l->self, fault);
     return code;
 }
 
@@ -158,7 +159,7 @@ static bool fit_scratch(Loop *l)
     Samples q;
     l->plan->solver->view(l->self, &p, &q);
     const int n = p.n > q.n ? p.n : q.n;
-    return scratch_fit(&l->scratch, n + CHUNK + n / 2 + 64 * CHUNK);
+    return norm_scratch_fit(&l->scratch, n + CHUNK + n / 2 + 64 * CHUNK);
 }
 
 static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
@@ -198,11 +199,11 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     if (spec_files_check(spec, fault) || (spec->vtk && snapshot_check(spec->vtk, fault)))
         return FAULT_MACHINE;
     if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
-    if (l.history) history_header(l.history);
+    if (l.history) output_history_header(l.history);
     l.self = plan.solver->make(&plan.setup, fault);
     code = l.self ? run_plan(&own, &l, row, fault) : fault->code;
     if (l.self) plan.solver->free(l.self);
-    scratch_free(&l.scratch);
+    norm_scratch_free(&l.scratch);
     ledger_close(&l);
     snapshot_free(&l.shots);
     if (l.history && code) file_abandon(l.history, spec->history);

@@ -34,21 +34,23 @@ static const Param run_params[] = {
     [P_SUBCYCLES] = {"subcycles", 4, 1, 1000, "", "k of strain_update=subcycled", "", NULL},
     [RUN_PARAMS] = {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
-const Param *const common_params = run_params;
+const Param *const settings_common = run_params;
 
-int settle_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault)
+int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault)
 {
     Setup *s = &plan->setup;
     const Method *m = s->method;
     if (!spec->integrator[0])
-        strcpy(spec->integrator, integrator_names[m ? m->integrator[DIM] : CD]);
-    while (s->integrator < INTEGRATORS && strcmp(spec->integrator, integrator_names[s->integrator]))
+        strcpy(spec->integrator, step_integrator_names[m ? m->integrator[DIM] : CD]);
+    while (s->integrator < INTEGRATORS &&
+           strcmp(spec->integrator, step_integrator_names[s->integrator]))
         s->integrator++;
     if (s->integrator == INTEGRATORS)
         return fault_set(
             fault, FAULT_USAGE,
             "--integrator: got '%s', takes cd, uvf, musl, usl or usf; did you mean '%s'?",
-            spec->integrator, nearest_name(spec->integrator, integrator_names, INTEGRATORS));
+            spec->integrator,
+            fault_nearest_name(spec->integrator, step_integrator_names, INTEGRATORS));
     s->refresh = run[P_REFRESH] > 0;
     if (!m) {
         if (s->integrator == CD) return 0;
@@ -73,7 +75,7 @@ static bool has_boxes(const Plan *plan)
 }
 
 /* Particle boxes and the update of F, which are the run's choice like the integrator. */
-int settle_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *fault)
+int settings_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *fault)
 {
     Setup *s = &plan->setup;
     s->domain = (Domain)run[P_DOMAIN];

@@ -5,7 +5,7 @@
 
 #include "plan.h"
 
-/* Numbers in common_params. */
+/* Numbers in settings_common. */
 enum {
     P_STEPS,
     P_ALLOW,
@@ -23,7 +23,7 @@ enum {
 
 /* Time integrator; particle boxes and the update of F: into plan->setup, from the run's settings
  * run[RUN_PARAMS]. 0, or a fault: a pair that is refused. */
-int settle_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault);
-int settle_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *fault);
+int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault);
+int settings_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *fault);
 
 #endif

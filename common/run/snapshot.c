@@ -53,7 +53,7 @@ static int list_it(Snapshots *s, int kind, bool last, Fault *fault)
     if (!last && s->n[kind] < s->listed[kind] + s->listed[kind] / 10 + 1) return 0;
     list_path(s->dir, kind, path);
     s->listed[kind] = s->n[kind];
-    return vtk_collect(path, stems[kind], s->n[kind], s->step[kind], s->t[kind], fault);
+    return vtk_file_collect(path, stems[kind], s->n[kind], s->step[kind], s->t[kind], fault);
 }
 
 static int write_kind(Snapshots *s, int kind, long step, const VtkData *data, Fault *fault)
@@ -63,7 +63,7 @@ static int write_kind(Snapshots *s, int kind, long step, const VtkData *data, Fa
     snprintf(path, sizeof path, "%.4000s/%s_%06ld.vtp", s->dir, stems[kind], step);
     s->step[kind][s->n[kind]] = step;
     s->t[kind][s->n[kind]++] = data->t;
-    return vtk_write(path, data, fault);
+    return vtk_file_write(path, data, fault);
 }
 
 static int write_points(Snapshots *s, const State *state, long step, double t, Fault *fault)
@@ -135,8 +135,8 @@ static void see_patch(void *own, const Patch *patch)
     p->cells++;
 }
 
-static int write_patches(Snapshots *s, const Scene *scene, const Solver *solver, const void *self,
-                         const Patches *p, long step, double t, Fault *fault)
+static int output_patches(Snapshots *s, const Scene *scene, const Solver *solver, const void *self,
+                          const Patches *p, long step, double t, Fault *fault)
 {
     State e = {0};
     if (solver->elements && state_of_elements(&e, scene, solver, self, fault)) return FAULT_MACHINE;
@@ -170,7 +170,7 @@ static int shoot_patches(Snapshots *s, const Scene *scene, const Solver *solver,
         code = 0;
     else if (p.x && p.corner && p.end && p.cut) {
         solver->patches(self, see_patch, &p);
-        code = write_patches(s, scene, solver, self, &p, step, t, fault);
+        code = output_patches(s, scene, solver, self, &p, step, t, fault);
     } else
         no_memory(fault);
     free(p.x), free(p.corner), free(p.end), free(p.cut);

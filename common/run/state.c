@@ -50,9 +50,9 @@ static void set_strain(State *s, const Scene *scene, int r, const Mat F, const M
         s->sigma[r][k / DIM * 3 + k % DIM] = sigma[k];
         f[k] = &F[k];
     }
-    if (DIM == 2) s->sigma[r][8] = out_of_plane_stress(&scene->mat, F);
+    if (DIM == 2) s->sigma[r][8] = material_out_of_plane_stress(&scene->mat, F);
     s->von_mises[r] = von_mises(s->sigma[r]);
-    stored_energy(&scene->mat, 1, f, &s->energy[r]);
+    material_stored_energy(&scene->mat, 1, f, &s->energy[r]);
 }
 
 static void set_point(State *s, const Scene *scene, const Points *p, double *const F[NMAT],
@@ -116,7 +116,7 @@ static void fill_patch(void *own, const Patch *patch)
         for (int p = 0; p < CHUNK; p++) F[k][p] = patch->F[k];
         now[k] = F[k];
     }
-    kirchhoff(&f->scene->mat, now, T);
+    material_kirchhoff(&f->scene->mat, now, T);
     for (int k = 0; k < NMAT; k++) sigma[k] = T[k][0] / determinant(patch->F);
     for (int d = 0; d < DIM; d++) {
         s->X[r][d] = patch->X[d];

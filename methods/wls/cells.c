@@ -26,7 +26,7 @@ static int square_points(const double d[4], const Curved *curved, bool exact, do
 {
     Polygon piece[MAX_PIECES];
     int n = 0;
-    const int pieces = square_pieces(d, curved, piece);
+    const int pieces = polygon_pieces(d, curved, piece);
     for (int k = 0; k < pieces; k++) {
         const double area = polygon_area(&piece[k], x[n]);
         if (!(area > 0)) continue;

@@ -40,5 +40,5 @@ static void fold_pair(Sim *sim, const Mirror *m, size_t ghost, size_t image, int
 
 void wls_fold(Sim *sim)
 {
-    grid_visit_pairs(sim, false, fold_pair, NULL);
+    mirror_visit_pairs(sim, false, fold_pair, NULL);
 }

@@ -109,7 +109,7 @@ static bool extrapolated(const Sim *sim, const int index[DIM], double acc[DIM])
             rest /= 3;
         }
         if (k == NEIGHBOURS / 2) continue;
-        const size_t j = grid_image(g, next, sign), at = grid_image(g, beyond, sign2);
+        const size_t j = mirror_image(g, next, sign), at = mirror_image(g, beyond, sign2);
         if (j == NOWHERE || at == NOWHERE || !wls_is_sound(sim, j) || !wls_is_sound(sim, at))
             continue;
         const double mass = g->node[j][0];

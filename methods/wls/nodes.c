@@ -43,7 +43,7 @@ static Around look_around(const Sim *sim, const int index[DIM])
             other[d] = index[d] + rest % 3 - 1;
             rest /= 3;
         }
-        const size_t at = k == NEIGHBOURS / 2 ? NOWHERE : grid_image(&sim->g, other, sign);
+        const size_t at = k == NEIGHBOURS / 2 ? NOWHERE : mirror_image(&sim->g, other, sign);
         if (at != NOWHERE && w->good[at]) add_neighbour(sim, at, sign, away, &out);
     }
     return out;
@@ -109,7 +109,7 @@ void wls_repair_row(Sim *sim, int row, double dt)
         double sign[DIM], ghost = 0;
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)index[0];
         for (int d = 0; d < DIM; d++) sign[d] = 1;
-        if (g->nmirror) ghost = grid_image(g, index, sign) != at;
+        if (g->nmirror) ghost = mirror_image(g, index, sign) != at;
         if (!(ghost > 0)) repair_node(sim, at, row, index, dt);
     }
 }

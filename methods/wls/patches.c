@@ -32,7 +32,7 @@ static void show_cell(const Sim *sim, const int cell[DIM], size_t at, size_t up,
         curved.kappa[k] = b->kappa;
         for (int a = 0; a < 2; a++) curved.normal[k][a] = b->normal[a % DIM];
     }
-    const int pieces = square_pieces(d, bend ? &curved : NULL, piece);
+    const int pieces = polygon_pieces(d, bend ? &curved : NULL, piece);
     for (int k = 0; k < pieces; k++) show_polygon(sim, cell, &piece[k], true, visit, own);
 }
 

@@ -118,7 +118,8 @@ void wls_repair(Sim *sim, double dt)
     if (wls_of(sim)->corrected) wls_correct(sim, dt);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0)) wls_repair_row(sim, row, dt);
+        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
+            wls_repair_row(sim, row, dt);
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row]) sim->fallbacks += wls_of(sim)->fallbacks[row];
 }

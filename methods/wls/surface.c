@@ -65,7 +65,7 @@ static void beta_gradient(const Sim *sim, const double x[DIM], double n[DIM])
         int index[DIM];
         double sign[DIM];
         for (int d = 0; d < DIM; d++) index[d] = base[d] + (k >> d & 1);
-        const size_t at = grid_image(&sim->g, index, sign);
+        const size_t at = mirror_image(&sim->g, index, sign);
         if (at == NOWHERE) continue;
         for (int d = 0; d < DIM; d++) {
             double G = w->fit[at][FIT_MOMENTS][M_BETA];

@@ -5,7 +5,7 @@
 #include "studies/runs/options.h"
 #include "studies/study.h"
 
-enum { EXIT_CLAIM_FAILED = 3, EXIT_INTERRUPTED = 130 };
+enum { EXIT_CLAIM_FAILED = 3 };
 
 typedef struct Command {
     const char *name, *usage, *about;

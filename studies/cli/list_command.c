@@ -7,7 +7,7 @@ static int take_word(void *into, const char *name, const char *value, Fault *fau
 {
     const char **word = into;
     (void)name; /* these commands have no options */
-    if (*word) return refuse(fault, "argument", value, "one name only", NULL, 0);
+    if (*word) return option_refuse(fault, "argument", value, "one name only", NULL, 0);
     *word = value;
     return 0;
 }
@@ -49,14 +49,14 @@ static void print_entry(const char *kind, const char *name, InfoList (*of)(const
 static void list_methods(void)
 {
     const char *names[64];
-    int n = method_names(names, 64);
+    int n = engine_method_names(names, 64);
     for (int k = 0; k < n; k++) print_entry("method", names[k], methods_of);
 }
 
 static void list_problems(void)
 {
     const char *names[64];
-    int n = problem_names(names, 64);
+    int n = engine_problem_names(names, 64);
     for (int k = 0; k < n; k++) print_entry("problem", names[k], problems_of);
 }
 
@@ -79,7 +79,7 @@ static int list(int argc, char **argv, Fault *fault)
         print[k]();
         found = 1;
     }
-    return found ? 0 : refuse(fault, "KIND", kind, "methods, problems or studies", kinds, 3);
+    return found ? 0 : option_refuse(fault, "KIND", kind, "methods, problems or studies", kinds, 3);
 }
 
 const Command list_command = {
@@ -93,10 +93,10 @@ const Command list_command = {
 static int refuse_name(const char *name, Fault *fault)
 {
     const char *names[192];
-    int n = problem_names(names, 64);
-    n += method_names(names + n, 64);
+    int n = engine_problem_names(names, 64);
+    n += engine_method_names(names + n, 64);
     for (const Study *const *s = studies; *s && n < 192; s++) names[n++] = (*s)->name;
-    return refuse(fault, "NAME", name ? name : "", "a problem, method or study", names, n);
+    return option_refuse(fault, "NAME", name ? name : "", "a problem, method or study", names, n);
 }
 
 static int describe_study(const char *name)

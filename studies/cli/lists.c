@@ -21,8 +21,8 @@ static int add(List *list, const char *what, const char *value, Fault *fault)
     for (int k = 0; k < list->n; k++)
         if (strcmp(list->value[k], value) == 0) return 0;
     if (list->n == LIST_MAX) return refuse_list(what, "more", "at most 1000 values", fault);
-    list->value = one_more(list->value, list->n, sizeof *list->value);
-    list->value[list->n++] = text_of("%s", value);
+    list->value = must_grow(list->value, list->n, sizeof *list->value);
+    list->value[list->n++] = must_text("%s", value);
     return 0;
 }
 
@@ -36,7 +36,8 @@ static int range_parse(char *text, Range *r)
 {
     char *rest = text, *from = strsep(&rest, ":"), *to = strsep(&rest, ":"), *by = rest;
     if (!to || !by || (*by != '*' && *by != '+')) return -1;
-    if (number_parse(from, &r->from) || number_parse(to, &r->to) || number_parse(by + 1, &r->by))
+    if (info_number_parse(from, &r->from) || info_number_parse(to, &r->to) ||
+        info_number_parse(by + 1, &r->by))
         return -1;
     r->times = *by == '*';
     const bool grows = r->times ? r->by > 1 && r->from > 0 : r->by > 0;
@@ -53,7 +54,7 @@ static void value_print(double x, bool whole, char out[64])
 static int add_range(List *list, const char *what, const char *text, bool whole, Fault *fault)
 {
     static const char *const takes = "A:B:*R with R > 1, A > 0 or A:B:+D with D > 0; A <= B";
-    char *copy = text_of("%s", text), value[64];
+    char *copy = must_text("%s", text), value[64];
     Range r;
     const int wrong = range_parse(copy, &r);
     free(copy);
@@ -67,9 +68,9 @@ static int add_range(List *list, const char *what, const char *text, bool whole,
     return refuse_list(what, text, "a range of at most 1000 values", fault);
 }
 
-int list_read(List *list, const char *what, const char *text, bool whole, Fault *fault)
+int lists_read(List *list, const char *what, const char *text, bool whole, Fault *fault)
 {
-    char *copy = text_of("%s", text), *rest = copy;
+    char *copy = must_text("%s", text), *rest = copy;
     int code = 0;
     *list = (List){0};
     while (rest && code == 0) {
@@ -81,7 +82,7 @@ int list_read(List *list, const char *what, const char *text, bool whole, Fault 
     return code;
 }
 
-void list_free(List *list)
+void lists_free(List *list)
 {
     for (int k = 0; k < list->n; k++) free(list->value[k]);
     free(list->value);

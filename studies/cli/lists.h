@@ -14,8 +14,8 @@ typedef struct List {
 
 /* Reads text into list; `what` is named if it is refused. A:B:*R goes from A by factors of R,
  * A:B:+D by steps of D, to the last value that is not beyond B. whole: numbers round to the nearest
- * whole one; what comes twice is taken once. 0 or a fault with code 2; list_free() in any case. */
-int list_read(List *list, const char *what, const char *text, bool whole, Fault *fault);
-void list_free(List *list);
+ * whole one; what comes twice is taken once. 0 or a fault with code 2; lists_free() in any case. */
+int lists_read(List *list, const char *what, const char *text, bool whole, Fault *fault);
+void lists_free(List *list);
 
 #endif

@@ -46,7 +46,7 @@ static int dispatch(int argc, char **argv, Fault *fault)
         manual_command(commands[k]);
         return 0;
     }
-    return refuse(fault, "COMMAND", argv[1], "one of those in --help", names, COMMANDS + 2);
+    return option_refuse(fault, "COMMAND", argv[1], "one of those in --help", names, COMMANDS + 2);
 }
 
 int main(int argc, char **argv)

@@ -1,5 +1,5 @@
-/* new_method_command.c: `new-method`: the starting file of a method and its line in the registry, in the
- * source tree that this program was built from. */
+/* new_method_command.c: `new-method`: the starting file of a method and its line in the registry,
+ * in the source tree that this program was built from. */
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -19,7 +19,7 @@ static int take_word(void *into, const char *name, const char *value, Fault *fau
 {
     const char **word = into;
     (void)name; /* no options */
-    if (*word) return refuse(fault, "argument", value, "one name only", NULL, 0);
+    if (*word) return option_refuse(fault, "argument", value, "one name only", NULL, 0);
     *word = value;
     return 0;
 }
@@ -31,8 +31,8 @@ static int check_name(const char *name, Fault *fault)
     const size_t n = strlen(name);
     if (n > 0 && n <= LONGEST && islower((unsigned char)name[0]) && strspn(name, letters) == n)
         return 0;
-    return refuse(fault, "NAME", name, "at most 31 of a-z, 0-9 and _, with a letter first", NULL,
-                  0);
+    return option_refuse(fault, "NAME", name, "at most 31 of a-z, 0-9 and _, with a letter first",
+                         NULL, 0);
 }
 
 /* The source tree's methods/ beside the program's build folder, or NULL. */
@@ -45,12 +45,12 @@ static char *methods_folder(void)
     self[n] = '\0';
     *strrchr(self, '/') = '\0';
     for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
-        char *list = text_of("%s/%s/methods.def", self, places[k]);
+        char *list = must_text("%s/%s/methods.def", self, places[k]);
         const int there = access(list, R_OK) == 0 && realpath(list, found) != NULL;
         free(list);
         if (!there) continue;
         *strrchr(found, '/') = '\0';
-        return text_of("%s", found);
+        return must_text("%s", found);
     }
     return NULL;
 }
@@ -87,7 +87,7 @@ static void write_filled(FILE *f, const char *text, const char *name)
 
 static int write_source(const char *folder, const char *path, const char *name, Fault *fault)
 {
-    char *from = text_of("%s/new_method.txt", folder), *text = read_all(from, fault);
+    char *from = must_text("%s/new_method.txt", folder), *text = read_all(from, fault);
     FILE *f = text ? file_begin(path, fault) : NULL;
     if (f) write_filled(f, text, name);
     free(from), free(text);
@@ -107,7 +107,7 @@ static int write_line(const char *path, const char *name, Fault *fault)
 /* Is there a line METHOD(name), or a file of that name? */
 static int is_taken(const char *source, const char *list, const char *name)
 {
-    char *text = read_all(list, NULL), *line = text_of("METHOD(%s)", name);
+    char *text = read_all(list, NULL), *line = must_text("METHOD(%s)", name);
     const int taken = access(source, F_OK) == 0 || (text && strstr(text, line));
     free(text), free(line);
     return taken;
@@ -116,11 +116,12 @@ static int is_taken(const char *source, const char *list, const char *name)
 static int add(const char *folder, const char *name, Fault *fault)
 {
     const char *names[64];
-    char *source = text_of("%s/%s.c", folder, name), *list = text_of("%s/methods.def", folder);
+    char *source = must_text("%s/%s.c", folder, name), *list = must_text("%s/methods.def", folder);
     int known = 0, code;
-    for (int k = method_names(names, 64) - 1; k >= 0; k--) known |= strcmp(names[k], name) == 0;
+    for (int k = engine_method_names(names, 64) - 1; k >= 0; k--)
+        known |= strcmp(names[k], name) == 0;
     if (known || is_taken(source, list, name))
-        code = refuse(fault, "NAME", name, "a name that no method has yet", NULL, 0);
+        code = option_refuse(fault, "NAME", name, "a name that no method has yet", NULL, 0);
     else if (!(code = write_source(folder, source, name, fault)) &&
              (code = write_line(list, name, fault)))
         unlink(source); /* both or none */

@@ -38,7 +38,7 @@ static int run(int argc, char **argv, Fault *fault)
     if ((code = engine->resolve(&args.spec, fault))) return code;
     if ((code = spec_files_check(&args.spec, fault))) return code;
     if (args.csv && (code = csv_append_check(args.csv, fault))) return code;
-    if (args.spec.vtk && (code = folder_make(args.spec.vtk, fault))) return code;
+    if (args.spec.vtk && (code = file_make_folder(args.spec.vtk, fault))) return code;
     if ((code = engine->run(&args.spec, &row, fault))) return code;
     print_row(&row);
     if (!args.quiet && strcmp(row.status, "ok") != 0)
@@ -51,6 +51,6 @@ const Command run_command = {
     .name = "run",
     .usage = "PROBLEM [options]",
     .about = "runs one case; prints a header and one row of comma-separated values",
-    .options = run_options,
+    .options = run_args_options,
     .run = run,
 };

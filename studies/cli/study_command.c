@@ -40,7 +40,7 @@ const Study *study_named(const char *name, Fault *fault)
         if (strcmp((*s)->name, name) == 0) return *s;
         names[n++] = (*s)->name;
     }
-    refuse(fault, "NAME", name, "a study or all", names, n);
+    option_refuse(fault, "NAME", name, "a study or all", names, n);
     return NULL;
 }
 
@@ -51,7 +51,7 @@ static int methods_check(const char *words, Fault *fault)
     for (;; words++) {
         size_t n = strcspn(words, ",");
         snprintf(word, sizeof word, "%.*s", (int)n, words);
-        int code = method_check("--method", word, fault);
+        int code = engine_check_method("--method", word, fault);
         words += n;
         if (code || !*words) return code;
     }
@@ -59,7 +59,7 @@ static int methods_check(const char *words, Fault *fault)
 
 static int take_name(StudyArgs *args, const char *got, Fault *fault)
 {
-    if (args->name) return refuse(fault, "NAME", got, "one study or all", NULL, 0);
+    if (args->name) return option_refuse(fault, "NAME", got, "one study or all", NULL, 0);
     args->name = got;
     return strcmp(got, "all") == 0 || study_named(got, fault) ? 0 : FAULT_USAGE;
 }
@@ -89,7 +89,7 @@ static int take_study(void *into, const char *name, const char *got, Fault *faul
         o->quick = true;
         return 0;
     case 'j':
-        return whole_parse("--jobs", got, 1024, &o->jobs, fault);
+        return option_whole("--jobs", got, 1024, &o->jobs, fault);
     case 'o':
         return take_out(&args->out, got, fault);
     case 'm':
@@ -108,7 +108,7 @@ static int publish(Check *check, bool judged, const char *dir, Fault *fault)
 {
     int fd = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (fd < 0 || flock(fd, LOCK_EX) != 0) errno = 0; /* a file system without locks */
-    int code = judged ? check_all(check, dir, fault) : 0;
+    int code = judged ? claims_judge_all(check, dir, fault) : 0;
     if (code == 0 && judged) code = claims_write(check, dir, fault);
     if (code == 0) code = page_write(check, dir, fault);
     if (fd >= 0) close(fd);
@@ -120,13 +120,13 @@ static int run_studies(const StudyArgs *args, Fault *fault)
 {
     int code = 0;
     bool drawn = true;
-    for (const Study *const *s = studies; *s && code != EXIT_INTERRUPTED; s++) {
+    for (const Study *const *s = studies; *s && code != FAULT_INTERRUPTED; s++) {
         Fault f = {0};
         if (strcmp(args->name, "all") != 0 && strcmp(args->name, (*s)->name) != 0) continue;
-        int got = study_run(*s, &args->options, &f);
+        int got = run_study(*s, &args->options, &f);
         if (got == PLOT_NO_GNUPLOT)
             drawn = false;
-        else if (got && (code == 0 || got == EXIT_INTERRUPTED)) {
+        else if (got && (code == 0 || got == FAULT_INTERRUPTED)) {
             code = got;
             *fault = f;
         }
@@ -139,9 +139,9 @@ static int run_studies(const StudyArgs *args, Fault *fault)
 static int check_files(const StudyOptions *o, Fault *fault)
 {
     static const char *const names[] = {"claims.csv", "index.html"};
-    int code = o->action == STUDY_LIST ? 0 : folder_make(o->dir, fault);
+    int code = o->action == STUDY_LIST ? 0 : file_make_folder(o->dir, fault);
     for (int k = 0; k < 2 && code == 0 && o->action != STUDY_LIST; k++) {
-        char *path = text_of("%s/%s", o->dir, names[k]);
+        char *path = must_text("%s/%s", o->dir, names[k]);
         code = file_check(path, fault);
         free(path);
     }
@@ -156,7 +156,7 @@ static int study(int argc, char **argv, Fault *fault)
     int code = options_read(argc, argv, study_options, take_study, &args, fault);
     if (code) return code;
     if (!args.name) return fault_set(fault, FAULT_USAGE, "NAME: got nothing, takes a study or all");
-    char *dir = text_of("%s%s", args.out, args.options.quick ? "/quick" : "");
+    char *dir = must_text("%s%s", args.out, args.options.quick ? "/quick" : "");
     args.options.dir = dir;
     code = check_files(&args.options, fault);
     if (code) {
@@ -188,7 +188,7 @@ static const Option claims_options[] = {
 
 static int take_claims(void *into, const char *name, const char *got, Fault *fault)
 {
-    if (!name) return refuse(fault, "argument", got, "options only", NULL, 0);
+    if (!name) return option_refuse(fault, "argument", got, "options only", NULL, 0);
     return take_out(into, got, fault);
 }
 
@@ -203,7 +203,7 @@ static void print_number(double x, int width)
 static void print_claim(const Claim *c, int id_width, bool colour)
 {
     static const char *const codes[] = {"\033[32m", "\033[31m", "\033[33m", "\033[2m"};
-    printf("%s%-7s%s  %-*s  ", colour ? codes[c->verdict] : "", verdict_name(c->verdict),
+    printf("%s%-7s%s  %-*s  ", colour ? codes[c->verdict] : "", claim_verdict_name(c->verdict),
            colour ? "\033[0m" : "", id_width, c->id);
     print_number(c->measured, 12);
     printf("  [");
@@ -219,7 +219,7 @@ static int claims(int argc, char **argv, Fault *fault)
     Check check = {0};
     int width = 0, failed = 0;
     int code = options_read(argc, argv, claims_options, take_claims, &out, fault);
-    if (code == 0) code = folder_make(out, fault);
+    if (code == 0) code = file_make_folder(out, fault);
     if (code == 0) code = publish(&check, true, out, fault);
     for (int k = 0; k < check.n; k++) {
         int n = (int)strlen(check.list[k].id);

@@ -11,7 +11,7 @@ bool sweep_is_numeric(const List *list)
 {
     double x;
     for (int k = 0; k < list->n; k++)
-        if (number_parse(list->value[k], &x)) return false;
+        if (info_number_parse(list->value[k], &x)) return false;
     return list->n > 0;
 }
 
@@ -92,7 +92,7 @@ static void add_reason(Reasons *r, const char *text)
     int k = 0;
     while (k < r->n && strcmp(r->list[k].text, text) != 0) k++;
     if (k == r->n) {
-        r->list = one_more(r->list, r->n, sizeof *r->list);
+        r->list = must_grow(r->list, r->n, sizeof *r->list);
         r->list[r->n++].count = 0;
         snprintf(r->list[k].text, sizeof r->list[k].text, "%s", text);
     }
@@ -103,7 +103,7 @@ static int try_case(const char *text, Fault *fault)
 {
     RunSpec spec;
     const Engine *engine;
-    return run_text_resolve(text, &spec, &engine, fault);
+    return run_args_resolve(text, &spec, &engine, fault);
 }
 
 /* Is a word that no combination can be run with refused alone, too? Then it is misspelt, not half
@@ -160,7 +160,7 @@ int sweep_choose(Sweep *s, FILE *notes, Fault *fault)
 
 void sweep_free(Sweep *s)
 {
-    for (int k = 0; k < s->n; k++) list_free(&s->axis[k].list);
+    for (int k = 0; k < s->n; k++) lists_free(&s->axis[k].list);
     free(s->choice);
     *s = (Sweep){0};
 }

@@ -38,14 +38,14 @@ static const Option sweep_options[] = {
 static int take_problem(Sweep *s, const char *got, Fault *fault)
 {
     const char *names[64];
-    const int n = problem_names(names, 64);
-    if (s->problem[0]) return refuse(fault, "PROBLEM", got, "one problem only", NULL, 0);
+    const int n = engine_problem_names(names, 64);
+    if (s->problem[0]) return option_refuse(fault, "PROBLEM", got, "one problem only", NULL, 0);
     for (int k = 0; k < n; k++) {
         if (strcmp(names[k], got) != 0) continue;
         snprintf(s->problem, sizeof s->problem, "%s", got);
         return 0;
     }
-    return refuse(fault, "PROBLEM", got, "a problem", names, n);
+    return option_refuse(fault, "PROBLEM", got, "a problem", names, n);
 }
 
 /* It becomes part of file names, in which a dot divides a table from its parts. */
@@ -53,7 +53,7 @@ static int take_name(SweepArgs *args, const char *got, Fault *fault)
 {
     static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     if (!*got || strlen(got) > MOST_NAME || got[strspn(got, plain)])
-        return refuse(fault, "--name", got, "1 to 40 letters, digits, _ or -", NULL, 0);
+        return option_refuse(fault, "--name", got, "1 to 40 letters, digits, _ or -", NULL, 0);
     snprintf(args->name, sizeof args->name, "sweep_%s", got);
     return 0;
 }
@@ -67,12 +67,13 @@ static int take_list(Sweep *s, const char *option, const char *name, const char 
     snprintf(what, sizeof what, setting ? "--set %.60s" : "--%.60s", name);
     for (int k = 0; k < s->n; k++)
         if (strcmp(s->axis[k].name, name) == 0)
-            return refuse(fault, what, values, "one list: separate values by commas", NULL, 0);
-    if (s->n == SWEEP_AXES) return refuse(fault, what, values, "at most 24 lists", NULL, 0);
+            return option_refuse(fault, what, values, "one list: separate values by commas", NULL,
+                                 0);
+    if (s->n == SWEEP_AXES) return option_refuse(fault, what, values, "at most 24 lists", NULL, 0);
     Axis *axis = &s->axis[s->n++];
     snprintf(axis->option, sizeof axis->option, "%s", option);
     snprintf(axis->name, sizeof axis->name, "%s", name);
-    return list_read(&axis->list, what, values, whole, fault);
+    return lists_read(&axis->list, what, values, whole, fault);
 }
 
 static int take_setting(Sweep *s, const char *got, Fault *fault)
@@ -80,7 +81,7 @@ static int take_setting(Sweep *s, const char *got, Fault *fault)
     char name[64];
     const size_t n = strcspn(got, "=");
     if (!got[n] || n == 0 || n >= sizeof name)
-        return refuse(fault, "--set", got, "NAME=LIST", NULL, 0);
+        return option_refuse(fault, "--set", got, "NAME=LIST", NULL, 0);
     snprintf(name, sizeof name, "%.*s", (int)n, got);
     return take_list(s, "set", name, got + n + 1, fault);
 }
@@ -92,7 +93,7 @@ static int take(void *into, const char *name, const char *got, Fault *fault)
     if (!name) return take_problem(&args->sweep, got, fault);
     if (strcmp(name, "set") == 0) return take_setting(&args->sweep, got, fault);
     if (strcmp(name, "name") == 0) return take_name(args, got, fault);
-    if (strcmp(name, "jobs") == 0) return whole_parse("--jobs", got, 1024, &o->jobs, fault);
+    if (strcmp(name, "jobs") == 0) return option_whole("--jobs", got, 1024, &o->jobs, fault);
     if (strcmp(name, "out") == 0) {
         o->dir = got;
         return *got ? 0 : fault_set(fault, FAULT_USAGE, "--out: got '', takes a folder");
@@ -126,9 +127,9 @@ static int check_files(const SweepArgs *args, Fault *fault)
 {
     static const char *const parts[] = {"curves", "orders"};
     char path[PATH_TEXT];
-    int code = folder_make(args->options.dir, fault);
+    int code = file_make_folder(args->options.dir, fault);
     for (int k = 0; k < 2 && code == 0; k++) {
-        part_path(path, args->options.dir, args->name, parts[k]);
+        table_part_path(path, args->options.dir, args->name, parts[k]);
         code = file_check(path, fault);
     }
     return code;
@@ -138,7 +139,7 @@ static int check_files(const SweepArgs *args, Fault *fault)
 static int print_orders(const SweepArgs *args, Fault *fault)
 {
     char path[PATH_TEXT], line[1024];
-    part_path(path, args->options.dir, args->name, "orders");
+    table_part_path(path, args->options.dir, args->name, "orders");
     FILE *f = fopen(path, "r");
     while (f && fgets(line, sizeof line, f)) fputs(line, stdout);
     const int code = f ? 0 : fault_set(fault, FAULT_MACHINE, "%s: cannot be read", path);
@@ -160,7 +161,7 @@ static int run_sweep(SweepArgs *args, Fault *fault)
                          sweep_size(&args->sweep), MOST_CASES);
     int code = sweep_choose(&args->sweep, stderr, fault);
     if (code == 0) code = check_files(args, fault);
-    if (code == 0) code = study_run(&study, &args->options, fault);
+    if (code == 0) code = run_study(&study, &args->options, fault);
     if (code == PLOT_NO_GNUPLOT)
         fputs("mpmlab: gnuplot is not installed: no figure drawn\n", stderr);
     else if (code)

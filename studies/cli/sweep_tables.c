@@ -34,7 +34,7 @@ static double asked(const Curves *c, int row)
 {
     double x = row;
     if (c->sweep->across >= 0)
-        number_parse(sweep_value(c->sweep, c->sweep->across, c->sweep->choice[row]), &x);
+        info_number_parse(sweep_value(c->sweep, c->sweep->across, c->sweep->choice[row]), &x);
     return x;
 }
 
@@ -46,7 +46,7 @@ static double x_of(const Curves *c, int row)
     double x = NAN;
     for (size_t k = 0; k < sizeof columns / sizeof *columns; k++)
         if (strcmp(columns[k], column) == 0) x = table_number(c->rows, row, column);
-    if (strcmp(column, "steps") == 0 && !is_lost(c->rows, row))
+    if (strcmp(column, "steps") == 0 && !select_is_lost(c->rows, row))
         x = table_number(c->rows, row, column);
     return isfinite(x) ? x : asked(c, row);
 }
@@ -105,7 +105,7 @@ static Sums sums_of(const Curves *c, const Part *p)
     Sums s = {.x_above = true, .same_end = true};
     for (int row = p->first; row < p->first + p->n; row++) {
         s.x_above = s.x_above && x_of(c, row) > 0;
-        if (!is_lost(c->rows, row)) add_row(c, row, &s);
+        if (!select_is_lost(c->rows, row)) add_row(c, row, &s);
     }
     return s;
 }
@@ -148,7 +148,7 @@ static Order order_of(const Curves *c, const Part *p)
     Order o = {.slope = NAN, .error = NAN, .lost = p->n - s.finished};
     why_none(c, &s, o.reason);
     if (o.reason[0]) return o;
-    o.slope = order_fit(s.n, s.x, s.y, &o.error);
+    o.slope = table_order_fit(s.n, s.x, s.y, &o.error);
     if (strcmp(c->x, "cells") == 0) o.slope = -o.slope;
     if (s.n < s.finished)
         snprintf(o.reason, REASON_TEXT, "fitted without %d runs whose %s is 0 or empty",
@@ -188,12 +188,12 @@ static int write_orders(const Curves *c, const char *path, Fault *fault)
         snprintf(text, sizeof text, "%s", c->sweep->problem);
         if (c->sweep->across >= 0) sweep_title(c->sweep, c->sweep->choice[p.first], text);
         fprintf(f, "%d,", p.series);
-        csv_cell(f, text);
+        table_put_cell(f, text);
         fprintf(f, ",%s,%s,%d,%d,", c->x, c->y, p.n, o.lost);
         number(f, o.slope, ",");
         number(f, o.error, ",");
         if (o.reason[0])
-            csv_cell(f, o.reason);
+            table_put_cell(f, o.reason);
         else
             fputs("\"\"", f); /* gnuplot reads an empty last cell as part of another */
         putc('\n', f);
@@ -219,7 +219,7 @@ static void find_ranges(const Curves *c, Range *x, Range *y)
     for (int row = 0; row < c->rows->nrow; row++) {
         const double value = fabs(y_of(c, row));
         widen(x, x_of(c, row));
-        if (!is_lost(c->rows, row) && value > 0 && isfinite(value)) widen(y, value);
+        if (!select_is_lost(c->rows, row) && value > 0 && isfinite(value)) widen(y, value);
     }
 }
 
@@ -241,7 +241,7 @@ static void write_tics(FILE *f, const Curves *c)
     else
         for (int k = 0; k < c->sweep->axis[across].list.n; k++) {
             double x = 0; /* gnuplot reads 08 as octal */
-            number_parse(c->sweep->axis[across].list.value[k], &x);
+            info_number_parse(c->sweep->axis[across].list.value[k], &x);
             fprintf(f, "%s%.10g", k ? ", " : "", x);
         }
 }
@@ -269,7 +269,7 @@ static void note_steps(const Table *rows)
     int n = 0;
     for (int row = 0; row < rows->nrow; row++)
         n += strcmp(table_text(rows, row, "status"), "ok") == 0 &&
-             row_setting(rows, row, "steps") > table_number(rows, row, "steps");
+             select_setting(rows, row, "steps") > table_number(rows, row, "steps");
     if (n)
         fprintf(stderr, "mpmlab: %d of %d runs reached t_end before the steps of --set steps\n", n,
                 rows->nrow);
@@ -278,16 +278,16 @@ static void note_steps(const Table *rows)
 int sweep_tables(const Sweep *sweep, const char *dir, const char *name, Fault *fault)
 {
     char path[PATH_TEXT];
-    Table *rows = part_read(dir, name, NULL, fault);
+    Table *rows = table_read_part(dir, name, NULL, fault);
     if (!rows) return FAULT_MACHINE;
     Curves c = {sweep, rows, "case", quantity(rows), (int)sweep_size(sweep)};
     if (sweep->across >= 0) {
         c.x = sweep->axis[sweep->across].name;
         c.length = sweep->axis[sweep->across].list.n;
     }
-    part_path(path, dir, name, "curves");
+    table_part_path(path, dir, name, "curves");
     int code = write_curves(&c, path, fault);
-    part_path(path, dir, name, "orders");
+    table_part_path(path, dir, name, "orders");
     if (code == 0) code = write_orders(&c, path, fault);
     snprintf(path, sizeof path, "%s/%s.var", dir, name);
     if (code == 0) code = write_names(&c, path, fault);

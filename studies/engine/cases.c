@@ -37,16 +37,16 @@ static void add(Cases *cases, const char *kind, const char *file, const char *te
     Case c = {.kind = kind};
     Fault fault;
     if (cases->fault.code) return;
-    if (run_text_resolve(text, &c.spec, &c.engine, &fault)) {
+    if (run_args_resolve(text, &c.spec, &c.engine, &fault)) {
         fault_set(&cases->fault, FAULT_USAGE, "case '%.200s': %.250s", text, fault.text);
         return;
     }
     if (cases->methods && !in_list(cases->methods, c.spec.method)) return;
     spec_command(&c.spec, command);
-    c.command = text_of("%s", command);
-    c.key = text_of("%s %s", command, cases->program);
-    c.file = file ? text_of("%s/%s", cases->dir, file) : NULL;
-    cases->list = one_more(cases->list, cases->n, sizeof c);
+    c.command = must_text("%s", command);
+    c.key = must_text("%s %s", command, cases->program);
+    c.file = file ? must_text("%s/%s", cases->dir, file) : NULL;
+    cases->list = must_grow(cases->list, cases->n, sizeof c);
     cases->list[cases->n++] = c;
 }
 

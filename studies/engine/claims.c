@@ -6,10 +6,9 @@
 #include <string.h>
 #include "common/base/info.h"
 #include "studies/runs/memory.h"
-#include "studies/tables/curves.h"
 #include "sidecar.h"
 
-const char *verdict_name(Verdict v)
+const char *claim_verdict_name(Verdict v)
 {
     static const char *const names[] = {"PASS", "FAIL", "DIFFERS", "NOT_RUN"};
     return names[v];
@@ -20,7 +19,7 @@ static void write_note(FILE *out, const char *name, double value)
 {
     char number[64];
     if (!out) return;
-    number_print(value, number);
+    info_number_print(value, number);
     for (const char *c = name; *c; c++) {
         int plain = (*c >= '0' && *c <= '9') || ((*c | 32) >= 'a' && (*c | 32) <= 'z');
         putc(plain ? *c : '_', out);
@@ -28,7 +27,7 @@ static void write_note(FILE *out, const char *name, double value)
     fprintf(out, " = %s\n", isfinite(value) ? number : "NaN");
 }
 
-void note_number(Check *check, const char *name, double value)
+void claim_note(Check *check, const char *name, double value)
 {
     write_note(check->notes, name, value);
 }
@@ -45,7 +44,7 @@ static void add(Check *check, const char *id, const char *statement, Verdict ver
     c.judged = measured.rows >= measured.needs && !isnan(measured.value);
     c.low = bounds[0];
     c.high = bounds[1];
-    check->list = one_more(check->list, check->n, sizeof c);
+    check->list = must_grow(check->list, check->n, sizeof c);
     check->list[check->n++] = c;
 }
 
@@ -90,7 +89,7 @@ void claim_differs(Check *check, const char *id, const char *statement, Measure 
 
 Table *claim_part(Check *check, const char *dir, const char *part)
 {
-    Table *t = part_read(dir, check->study->name, part, NULL);
+    Table *t = table_read_part(dir, check->study->name, part, NULL);
     if (t) return t;
     snprintf(check->missing, sizeof check->missing, "%s.%s.csv", check->study->name, part);
     return must(calloc(1, sizeof *t));
@@ -105,10 +104,10 @@ static void fail_all(Check *check, int from)
     }
 }
 
-int check_study(Check *check, const Study *study, const char *dir, Fault *fault)
+int claims_judge_study(Check *check, const Study *study, const char *dir, Fault *fault)
 {
     const int before = check->n;
-    Table *rows = part_read(dir, study->name, NULL, fault);
+    Table *rows = table_read_part(dir, study->name, NULL, fault);
     if (!rows) return FAULT_MACHINE;
     check->study = study;
     check->missing[0] = '\0';
@@ -129,14 +128,14 @@ static void not_run(Check *check, const Study *study, const char *reason)
     add(check, id, study->about, NOT_RUN, bounds, measure(NAN, 0, 0), reason);
 }
 
-int check_all(Check *check, const char *dir, Fault *fault)
+int claims_judge_all(Check *check, const char *dir, Fault *fault)
 {
     for (const Study *const *s = studies; *s; s++) {
         char reason[128];
         if (!(*s)->check) continue;
         if (!sidecar_is_current(*s, dir, reason))
             not_run(check, *s, reason);
-        else if (check_study(check, *s, dir, fault))
+        else if (claims_judge_study(check, *s, dir, fault))
             return FAULT_MACHINE;
     }
     return 0;
@@ -145,7 +144,7 @@ int check_all(Check *check, const char *dir, Fault *fault)
 static void number_cell(FILE *f, double x)
 {
     char text[64] = "";
-    if (!isnan(x)) number_print(x, text);
+    if (!isnan(x)) info_number_print(x, text);
     fprintf(f, "%s,", text);
 }
 
@@ -160,21 +159,21 @@ static const char *group_of(const Claim *c)
 
 int claims_write(const Check *check, const char *dir, Fault *fault)
 {
-    char *path = text_of("%s/claims.csv", dir);
+    char *path = must_text("%s/claims.csv", dir);
     FILE *f = file_begin(path, fault);
     if (f) fputs("id,figure,statement,measured,low,high,verdict,reason,source,group,rows\n", f);
     for (const Claim *c = check->list; f && c < check->list + check->n; c++) {
-        csv_cell(f, c->id);
+        table_put_cell(f, c->id);
         putc(',', f);
-        csv_cell(f, c->study->figure);
+        table_put_cell(f, c->study->figure);
         putc(',', f);
-        csv_cell(f, c->statement);
+        table_put_cell(f, c->statement);
         putc(',', f);
         number_cell(f, c->measured);
         number_cell(f, c->low);
         number_cell(f, c->high);
-        fprintf(f, "%s,", verdict_name(c->verdict));
-        csv_cell(f, c->reason);
+        fprintf(f, "%s,", claim_verdict_name(c->verdict));
+        table_put_cell(f, c->reason);
         fprintf(f, ",,%s,%d\n", group_of(c), c->rows);
     }
     int code = f ? file_commit(f, path, fault) : FAULT_MACHINE;

@@ -24,15 +24,15 @@ struct Check {
     FILE *notes; /* NAME.var, or NULL */
 };
 
-const char *verdict_name(Verdict v);
+const char *claim_verdict_name(Verdict v);
 
 /* Reads dir/NAME.csv back and runs the study's check on it, adding to check. 0 or a fault,
  * which it also is if the study makes more or fewer claims than it declares. */
-int check_study(Check *check, const Study *study, const char *dir, Fault *fault);
+int claims_judge_study(Check *check, const Study *study, const char *dir, Fault *fault);
 
 /* The claims of every study, NOT_RUN where its table is absent or is not what it asks for now.
  * 0 or a fault; free check->list in any case. */
-int check_all(Check *check, const char *dir, Fault *fault);
+int claims_judge_all(Check *check, const char *dir, Fault *fault);
 
 /* Writes dir/claims.csv. 0 or a fault. */
 int claims_write(const Check *check, const char *dir, Fault *fault);

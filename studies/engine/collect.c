@@ -15,7 +15,7 @@ static char *row_file(const Study *study, const Cases *cases, int k, const char 
 {
     const char *key = cases->list[k].key;
     unsigned long sum = crc32(0, (const unsigned char *)key, (unsigned)strlen(key));
-    return text_of("%s/%s.collect/%05d-%08lx.csv", dir, study->name, k, sum);
+    return must_text("%s/%s.collect/%05d-%08lx.csv", dir, study->name, k, sum);
 }
 
 /* One word of a shell command. */
@@ -44,11 +44,11 @@ static void print_option(const char *option, const char *value)
 int collect_list(const Study *study, const Cases *cases, const Journal *journal, const char *dir,
                  Fault *fault)
 {
-    char program[PATH_MAX], *folder = text_of("%s/%s.collect", dir, study->name);
+    char program[PATH_MAX], *folder = must_text("%s/%s.collect", dir, study->name);
     ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
     program[length > 0 ? length : 0] = '\0';
     int n, *missing = cases_missing(cases, journal, &n);
-    int code = folder_make(folder, fault);
+    int code = file_make_folder(folder, fault);
     for (int k = 0; k < n && code == 0; k++) {
         const Case *c = &cases->list[missing[k]];
         char *file = row_file(study, cases, missing[k], dir);
@@ -83,7 +83,7 @@ static char *last_row(const char *file)
     if (t && !is_whole(t, file)) t->nrow = 0;
     for (int k = 0; t && t->nrow && k < t->ncol; k++) {
         const char *cell = t->cell[(t->nrow - 1) * t->ncol + k];
-        char *longer = text_of("%s%s%s", line ? line : "", k ? "," : "", cell);
+        char *longer = must_text("%s%s%s", line ? line : "", k ? "," : "", cell);
         free(line);
         line = longer;
     }

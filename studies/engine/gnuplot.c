@@ -11,7 +11,6 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-#include "studies/cli/cli.h"
 #include "signals.h"
 
 enum { LIMIT = 120 /* [s] */, NOT_FOUND = 127, KILLED = 256, TOO_LATE, STOPPED };
@@ -73,7 +72,7 @@ static int say(int status, const char *script, const char *line, Fault *fault)
     if (status == 0) return 0;
     if (status == NOT_FOUND) return GNUPLOT_ABSENT;
     if (status == STOPPED)
-        return fault_set(fault, EXIT_INTERRUPTED, "interrupted; a re-run continues from here");
+        return fault_set(fault, FAULT_INTERRUPTED, "interrupted; a re-run continues from here");
     if (status == TOO_LATE)
         return fault_set(fault, FAULT_MACHINE, "%.200s: gnuplot did not end within %d s", script,
                          LIMIT);

@@ -54,7 +54,7 @@ static size_t scan(Journal *j, size_t size)
         char *key = j->text + at + HEAD, *tab = strchr(key, '\t');
         *tab = '\0';
         j->text[end - 1] = '\0';
-        j->records = one_more(j->records, j->n, sizeof *j->records);
+        j->records = must_grow(j->records, j->n, sizeof *j->records);
         j->records[j->n++] = (Record){key, tab + 1};
     }
     return end;
@@ -144,9 +144,9 @@ const char *journal_row(const Journal *j, const char *key)
 
 char *journal_line(const char *key, const char *row)
 {
-    char *body = text_of("%s\t%s", key, row);
+    char *body = must_text("%s\t%s", key, row);
     size_t length = strlen(body);
-    char *line = text_of("%08zu %08lx %s\n", length, checksum(body, length), body);
+    char *line = must_text("%08zu %08lx %s\n", length, checksum(body, length), body);
     free(body);
     return line;
 }

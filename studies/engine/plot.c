@@ -20,7 +20,7 @@ static const struct {
 } formats[] = {{"svg", ".gp", 1}, {"png", ".gp", 1}, {"gif", ".gif.gp", 0}};
 enum { FORMATS = 3 };
 
-char *plots_folder(void)
+char *plot_folder(void)
 {
     static const char *const places[] = {"plots", "share/mpmlab/plots"};
     char above[PATH_MAX];
@@ -30,7 +30,8 @@ char *plots_folder(void)
     for (char *end; (end = strrchr(above, '/'));) {
         *end = '\0';
         for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
-            char *path = text_of("%s/%s", above, places[k]), *style = text_of("%s/style.gp", path);
+            char *path = must_text("%s/%s", above, places[k]),
+                 *style = must_text("%s/style.gp", path);
             const bool there = access(style, R_OK) == 0;
             free(style);
             if (there) return path;
@@ -56,10 +57,10 @@ static char *quoted(const char *text)
 /* "fmt='svg'; out='...'; ..." */
 static char *settings(const char *const values[][2], int n)
 {
-    char *all = text_of("%s", "");
+    char *all = must_text("%s", "");
     for (int k = 0; k < n; k++) {
         char *value = quoted(values[k][1]),
-             *longer = text_of("%s%s=%s; ", all, values[k][0], value);
+             *longer = must_text("%s%s=%s; ", all, values[k][0], value);
         free(value);
         free(all);
         all = longer;
@@ -86,17 +87,17 @@ static int draw(const char *set, const char *script, FILE *f, const char *whole,
 /* "ROOM/NAME" of the script, without its ending. To be freed. */
 static char *script_name(const Study *study)
 {
-    return text_of("%s/%s", study_room(study), study->script ? study->script : study->name);
+    return must_text("%s/%s", study_room(study), study->script ? study->script : study->name);
 }
 
 static int draw_format(const Study *study, const char *dir, const char *plots, int k, Fault *fault)
 {
     const char *format = formats[k].name;
-    char *own = script_name(study), *script = text_of("%s/%s%s", plots, own, formats[k].script);
-    char *csv = text_of("%s/%s.csv", dir, study->name);
-    char *whole = text_of("%s/%s.%s", dir, study->name, format);
+    char *own = script_name(study), *script = must_text("%s/%s%s", plots, own, formats[k].script);
+    char *csv = must_text("%s/%s.csv", dir, study->name);
+    char *whole = must_text("%s/%s.%s", dir, study->name, format);
     FILE *f = file_begin(whole, fault);
-    char *out = text_of("/proc/self/fd/%d", f ? fileno(f) : -1);
+    char *out = must_text("/proc/self/fd/%d", f ? fileno(f) : -1);
     const char *const values[][2] = {{"fmt", format},       {"out", out}, {"dir", dir},
                                      {"name", study->name}, {"csv", csv}, {"plots", plots}};
     char *set = settings(values, 6);
@@ -119,7 +120,7 @@ static double seconds(struct timespec t)
 static double age(const char *dir, const char *name, const char *ending)
 {
     struct stat s;
-    char *path = text_of("%s/%s%s", dir, name, ending);
+    char *path = must_text("%s/%s%s", dir, name, ending);
     int there = stat(path, &s) == 0;
     free(path);
     return there ? seconds(s.st_mtim) : -1;
@@ -153,7 +154,7 @@ static bool is_due(const Study *study, const char *dir, const char *plots, int k
     free(own);
     const double inputs =
         fmax(fmax(script, age(plots, "style", ".gp")), newest_input(dir, study->name));
-    char *ending = text_of(".%s", formats[k].name);
+    char *ending = must_text(".%s", formats[k].name);
     const bool fresh = age(dir, study->name, ending) > inputs;
     free(ending);
     return (script > 0 || formats[k].always) && !fresh;
@@ -161,7 +162,7 @@ static bool is_due(const Study *study, const char *dir, const char *plots, int k
 
 int plot_study(const Study *study, const char *dir, Fault *fault)
 {
-    char *plots = plots_folder(), *script = script_name(study), folder[PATH_MAX];
+    char *plots = plot_folder(), *script = script_name(study), folder[PATH_MAX];
     int code = 0;
     if (!plots)
         code = fault_set(fault, FAULT_MACHINE,

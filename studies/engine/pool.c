@@ -10,7 +10,6 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "studies/cli/cli.h"
 #include "studies/runs/memory.h"
 #include "progress.h"
 #include "signals.h"
@@ -127,7 +126,7 @@ static int watch(Pool *p, Progress *progress)
         progress_draw(progress, p->shared->done);
         if (!stop) continue;
         stop_workers(p);
-        return EXIT_INTERRUPTED;
+        return FAULT_INTERRUPTED;
     }
     return 0;
 }

@@ -6,7 +6,6 @@
 #include "claims.h"
 #include "collect.h"
 #include "studies/runs/memory.h"
-#include "studies/tables/curves.h"
 #include "plot.h"
 #include "pool.h"
 #include "sidecar.h"
@@ -21,9 +20,9 @@ int study_case_count(const Study *study, bool quick)
     return n;
 }
 
-int folder_make(const char *path, Fault *fault)
+int file_make_folder(const char *path, Fault *fault)
 {
-    char *part = text_of("%s", path);
+    char *part = must_text("%s", path);
     int failed = 0;
     for (char *c = part + 1; !failed && *c; c++) {
         if (*c != '/') continue;
@@ -49,8 +48,8 @@ static int run_missing(const Study *study, const StudyOptions *o, const Cases *c
 static int write_rows(const Study *study, const char *dir, const Cases *cases,
                       const Journal *journal, Fault *fault)
 {
-    char *csv = text_of("%s/%s.csv", dir, study->name);
-    const int code = study->cases ? rows_write(cases, journal, csv, fault) : 0;
+    char *csv = must_text("%s/%s.csv", dir, study->name);
+    const int code = study->cases ? sidecar_write_rows(cases, journal, csv, fault) : 0;
     free(csv);
     return code;
 }
@@ -60,7 +59,7 @@ static int refine(const Study *study, const StudyOptions *o, Cases *cases, const
                   Fault *fault)
 {
     int code = write_rows(study, o->dir, cases, journal, fault);
-    Table *rows = code ? NULL : part_read(o->dir, study->name, NULL, fault);
+    Table *rows = code ? NULL : table_read_part(o->dir, study->name, NULL, fault);
     code = rows ? cases_refine(cases, study, rows, o->quick, fault) : FAULT_MACHINE;
     table_free(rows);
     return code;
@@ -82,9 +81,9 @@ static int run_cases(const Study *study, const StudyOptions *o, Cases *cases, Jo
 static int write_notes(const Study *study, const char *dir, Fault *fault)
 {
     if (!study->check) return 0;
-    char *path = text_of("%s/%s.var", dir, study->name);
+    char *path = must_text("%s/%s.var", dir, study->name);
     Check check = {.notes = file_begin(path, fault)};
-    int code = check.notes ? check_study(&check, study, dir, fault) : FAULT_MACHINE;
+    int code = check.notes ? claims_judge_study(&check, study, dir, fault) : FAULT_MACHINE;
     if (check.notes && code)
         file_abandon(check.notes, path);
     else if (check.notes)
@@ -127,7 +126,7 @@ static int check_files(const Study *study, const Cases *cases, const char *dir, 
     static const char *const endings[] = {"csv", "json", "var", "svg", "png"};
     int code = 0;
     for (size_t k = 0; k < sizeof endings / sizeof *endings && code == 0; k++) {
-        char *path = text_of("%s/%s.%s", dir, study->name, endings[k]);
+        char *path = must_text("%s/%s.%s", dir, study->name, endings[k]);
         code = file_check(path, fault);
         free(path);
     }
@@ -136,12 +135,12 @@ static int check_files(const Study *study, const Cases *cases, const char *dir, 
     return code;
 }
 
-int study_run(const Study *study, const StudyOptions *o, Fault *fault)
+int run_study(const Study *study, const StudyOptions *o, Fault *fault)
 {
     Cases cases;
     Journal journal;
-    char *path = text_of("%s/%s.rows", o->dir, study->name);
-    int code = folder_make(o->dir, fault);
+    char *path = must_text("%s/%s.rows", o->dir, study->name);
+    int code = file_make_folder(o->dir, fault);
     if (code == 0)
         code = cases_build(&cases, study, o->quick, o->methods, o->dir, fault);
     else

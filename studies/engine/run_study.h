@@ -16,9 +16,9 @@ typedef struct StudyOptions {
 } StudyOptions;
 
 /* Makes a folder and those above it. 0 or a fault. */
-int folder_make(const char *path, Fault *fault);
+int file_make_folder(const char *path, Fault *fault);
 
 /* 0; PLOT_NO_GNUPLOT: done but for the figure; 130: interrupted; or a fault. */
-int study_run(const Study *study, const StudyOptions *options, Fault *fault);
+int run_study(const Study *study, const StudyOptions *options, Fault *fault);
 
 #endif

@@ -29,7 +29,7 @@ static void print_line(FILE *f, const char *line)
     putc('\n', f);
 }
 
-int rows_write(const Cases *cases, const Journal *journal, const char *path, Fault *fault)
+int sidecar_write_rows(const Cases *cases, const Journal *journal, const char *path, Fault *fault)
 {
     char header[ROW_TEXT];
     FILE *f = file_begin(path, fault);
@@ -119,8 +119,8 @@ static json_t *describe(const Study *study, const Cases *cases, const Table *t)
 
 int sidecar_write(const Study *study, const Cases *cases, const char *dir, Fault *fault)
 {
-    char *csv = text_of("%s/%s.csv", dir, study->name);
-    char *path = text_of("%s/%s.json", dir, study->name);
+    char *csv = must_text("%s/%s.csv", dir, study->name);
+    char *path = must_text("%s/%s.json", dir, study->name);
     Table *t = table_read(csv, fault);
     json_t *json = t ? must(describe(study, cases, t)) : NULL;
     FILE *f = json ? file_begin(path, fault) : NULL;
@@ -158,8 +158,8 @@ static const char *why_not(const Study *study, const char *dir, const json_t *js
 
 bool sidecar_is_current(const Study *study, const char *dir, char reason[128])
 {
-    char *csv = text_of("%s/%s.csv", dir, study->name);
-    char *path = text_of("%s/%s.json", dir, study->name);
+    char *csv = must_text("%s/%s.csv", dir, study->name);
+    char *path = must_text("%s/%s.json", dir, study->name);
     json_t *json = json_load_file(path, 0, NULL);
     Table *t = table_read(csv, NULL);
     const char *why = why_not(study, dir, json, t);
@@ -196,17 +196,18 @@ static int runs_beyond(const json_t *list, const Cases *cases)
 static char *free_name(const char *dir, const char *name)
 {
     for (int k = 1;; k++) {
-        char *json = text_of("%s/%s-%d.json", dir, name, k);
+        char *json = must_text("%s/%s-%d.json", dir, name, k);
         const bool taken = access(json, F_OK) == 0;
         free(json);
-        if (!taken) return text_of("%s-%d", name, k);
+        if (!taken) return must_text("%s-%d", name, k);
     }
 }
 
 static int rename_part(const char *dir, const char *name, const char *to, const char *ending,
                        Fault *fault)
 {
-    char *from = text_of("%s/%s%s", dir, name, ending), *now = text_of("%s/%s%s", dir, to, ending);
+    char *from = must_text("%s/%s%s", dir, name, ending),
+         *now = must_text("%s/%s%s", dir, to, ending);
     const int failed = rename(from, now) != 0;
     if (failed) fault_set(fault, FAULT_MACHINE, "%s: %s", now, strerror(errno));
     free(from);
@@ -234,7 +235,7 @@ static int rename_all(const char *dir, const char *name, const char *to, Fault *
 
 int sidecar_keep(const Study *study, const Cases *cases, const char *dir, Fault *fault)
 {
-    char *path = text_of("%s/%s.json", dir, study->name);
+    char *path = must_text("%s/%s.json", dir, study->name);
     json_t *json = json_load_file(path, 0, NULL);
     int code = 0;
     if (runs_beyond(json_object_get(json, "inputs"), cases)) {

@@ -5,7 +5,7 @@
 #include "cases.h"
 
 /* Writes the rows of all cases, in order, timing columns last. 0 or a fault. */
-int rows_write(const Cases *cases, const Journal *journal, const char *path, Fault *fault);
+int sidecar_write_rows(const Cases *cases, const Journal *journal, const char *path, Fault *fault);
 
 /* Writes dir/NAME.json: inputs, version, compiler, flags, time steps, seconds, checksums. */
 int sidecar_write(const Study *study, const Cases *cases, const char *dir, Fault *fault);

@@ -1,11 +1,10 @@
 /* signals.c: see signals.h. */
 #include "signals.h"
-
 #include <fcntl.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
-#include "studies/cli/cli.h"
+#include "common/base/fault.h"
 
 void signals_hold(Signals *s)
 {
@@ -37,7 +36,7 @@ static void interrupted(int number)
     (void)number;
     ssize_t n = write(STDERR_FILENO, line, sizeof line - 1);
     (void)n;
-    _exit(EXIT_INTERRUPTED);
+    _exit(FAULT_INTERRUPTED);
 }
 
 void signals_start(void)

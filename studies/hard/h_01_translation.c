@@ -169,30 +169,32 @@ static void write_forces(FILE *f, FILE *dots, const Files *files, bool quick)
 
 static int write_grades(const char *dir, Fault *fault)
 {
-    Table *t = part_read(dir, name, "force", fault);
+    Table *t = table_read_part(dir, name, "force", fault);
     FILE *f = t ? grades_begin(dir, name, fault) : NULL;
     for (const Info *const *m = engine_2d.methods; f && *m; m++) {
-        const double tiles = worse(worst_of(t, (*m)->name, 1, "largest", "kind=bar").value,
-                                   worst_of(t, (*m)->name, 1, "largest", "kind=stretch").value);
-        const double any = worse(tiles, worst_of(t, (*m)->name, 1, "largest", "kind=turned").value);
+        const double tiles =
+            worse(curve_worst_of_methods(t, (*m)->name, 1, "largest", "kind=bar").value,
+                  curve_worst_of_methods(t, (*m)->name, 1, "largest", "kind=stretch").value);
+        const double any =
+            worse(tiles, curve_worst_of_methods(t, (*m)->name, 1, "largest", "kind=turned").value);
         if (!has_grid(&engine_2d, (*m)->name)) continue;
-        mark_add(f, "H1", (*m)->name, mark_of(any, NOTHING, 0.1),
-                 any <= NOTHING     ? "no force inside, at any offset"
-                 : tiles <= NOTHING ? "no force while boxes tile space; %.2g of |sigma| A in a "
-                                      "turned body"
-                                    : "forces up to %.2g of |sigma| A inside, on any mesh",
-                 any);
+        grade_add(f, "H1", (*m)->name, grade_mark_of(any, NOTHING, 0.1),
+                  any <= NOTHING     ? "no force inside, at any offset"
+                  : tiles <= NOTHING ? "no force while boxes tile space; %.2g of |sigma| A in a "
+                                       "turned body"
+                                     : "forces up to %.2g of |sigma| A inside, on any mesh",
+                  any);
     }
     table_free(t);
-    return hard_end(f, dir, name, "grades", fault);
+    return grades_end(f, dir, name, "grades", fault);
 }
 
 static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT], dots_path[PATH_TEXT];
     Files files;
-    part_path(path, dir, name, "force");
-    part_path(dots_path, dir, name, "dots");
+    table_part_path(path, dir, name, "force");
+    table_part_path(dots_path, dir, name, "dots");
     FILE *f = file_begin(path, fault), *dots = f ? file_begin(dots_path, fault) : NULL;
     files_open(&files, dir, name);
     if (dots) write_forces(f, dots, &files, quick);
@@ -208,26 +210,27 @@ static void check(Check *c, const Table *rows, const char *dir)
     Table *t = claim_part(c, dir, "force");
     const double share = 2 * STRETCH / (double)PER_CELL;
     claim(c, "H1.nodes", "nodes of the bar's coarsest mesh, each at another offset",
-          value_pick(t, "nodes", "method=mpm kind=bar cells=%d", kinds[0].cells[0]), 200, 1000);
-    claim(
-        c, "H1.tent", "tents: one crossing changes the force by 2 F/n: range over that",
-        times(value_pick(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[0]), 1 / share),
-        0.99, 1.01);
-    claim(
-        c, "H1.tent-h", "and it does not fall with h: range at the finest mesh over 2 F/n",
-        times(value_pick(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[2]), 1 / share),
-        0.99, 1.01);
+          select_value(t, "nodes", "method=mpm kind=bar cells=%d", kinds[0].cells[0]), 200, 1000);
+    claim(c, "H1.tent", "tents: one crossing changes the force by 2 F/n: range over that",
+          times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[0]),
+                1 / share),
+          0.99, 1.01);
+    claim(c, "H1.tent-h", "and it does not fall with h: range at the finest mesh over 2 F/n",
+          times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[2]),
+                1 / share),
+          0.99, 1.01);
     claim(c, "H1.gimp", "GIMP, GE-GIMP: no force while boxes tile space (bar, stretch)",
-          largest(worst_of(t, "gimp ge_gimp", MESHES, "largest", "kind=bar"),
-                  worst_of(t, "gimp ge_gimp", MESHES, "largest", "kind=stretch")),
+          largest(curve_worst_of_methods(t, "gimp ge_gimp", MESHES, "largest", "kind=bar"),
+                  curve_worst_of_methods(t, "gimp ge_gimp", MESHES, "largest", "kind=stretch")),
           0, NOTHING);
     claim(c, "H1.gimp-turned",
           "turned by 30 degrees they do not tile it, on any mesh: least of the forces",
-          value_pick(t, "largest", "method=gimp kind=turned cells=%d", kinds[2].cells[2]), 1e-3, 1);
+          select_value(t, "largest", "method=gimp kind=turned cells=%d", kinds[2].cells[2]), 1e-3,
+          1);
     claim(c, "H1.wls", "WLS in the plane and WLS2: no force, turned or not",
-          largest(worst_of(t, "wls2", KINDS * MESHES, "largest", ""),
-                  largest(worst_of(t, "wls", MESHES, "largest", "kind=stretch"),
-                          worst_of(t, "wls", MESHES, "largest", "kind=turned"))),
+          largest(curve_worst_of_methods(t, "wls2", KINDS * MESHES, "largest", ""),
+                  largest(curve_worst_of_methods(t, "wls", MESHES, "largest", "kind=stretch"),
+                          curve_worst_of_methods(t, "wls", MESHES, "largest", "kind=turned"))),
           0, NOTHING);
     claim_differs(c, "H1.wls-bar", "WLS, the bar's coarsest mesh: runs lost, of four offsets",
                   count_lost(rows, OFFSETS, "method=wls cells=64"), 0, 0, 1, 1,

@@ -57,7 +57,7 @@ static void write_one(FILE *f, const Files *files, const char *method, int dim, 
 {
     char part[96];
     part_name(part, method, dim, variant);
-    Table *t = part_read(files->dir, name, part, NULL);
+    Table *t = table_read_part(files->dir, name, part, NULL);
     for (int k = 0; t && k < SHOWN; k++)
         if (shown[k] < t->nrow)
             fprintf(f, "%s,%d,%s,%d,%.10g,%s\n", method, dim, variants[variant].name, shown[k],
@@ -98,12 +98,13 @@ static Measure last_left(const Table *t, const char *methods, int variant)
         for (int dim = 1; dim <= 2; dim++) {
             Measure last = sum_of(1);
             for (int k = 0; k < SHOWN; k++) {
-                const Measure at = ended_pick(t, "kept", "method=%s dim=%d variant=%s step=%d", m,
-                                              dim, variants[variant].name, shown[k]);
+                const Measure at =
+                    select_ended_value(t, "kept", "method=%s dim=%d variant=%s step=%d", m, dim,
+                                       variants[variant].name, shown[k]);
                 if (at.rows) last = at;
             }
-            const Measure kept = value_pick(t, "kept", "method=%s dim=%d variant=%s", m, dim,
-                                            variants[variant].name);
+            const Measure kept = select_value(t, "kept", "method=%s dim=%d variant=%s", m, dim,
+                                              variants[variant].name);
             if (!kept.rows && !(last.value > 1.1)) last = measure(NAN, 0, 1);
             out = largest(out, last);
         }
@@ -112,29 +113,29 @@ static Measure last_left(const Table *t, const char *methods, int variant)
 
 static Mark mark_kept(double part)
 {
-    return mark_of(part, 0.1, 1.1);
+    return grade_mark_of(part, 0.1, 1.1);
 }
 
 static int write_grades(const char *dir, Fault *fault)
 {
-    Table *t = part_read(dir, name, "kept", fault);
+    Table *t = table_read_part(dir, name, "kept", fault);
     FILE *f = t ? grades_begin(dir, name, fault) : NULL;
-    FILE *g = f ? remedies_begin(dir, name, fault) : NULL;
+    FILE *g = f ? grades_remedies_begin(dir, name, fault) : NULL;
     for (const Info *const *m = engine_2d.methods; g && *m; m++) {
         if (!has_grid(&engine_2d, (*m)->name)) continue;
         const double usual = last_left(t, (*m)->name, 0).value;
-        mark_add(f, "H2", (*m)->name, mark_kept(usual),
-                 usual > 1.1 ? "grows to %.3g times what it was in %d steps"
-                             : "%.2g of it left after %d steps",
-                 usual, STEPS);
+        grade_add(f, "H2", (*m)->name, mark_kept(usual),
+                  usual > 1.1 ? "grows to %.3g times what it was in %d steps"
+                              : "%.2g of it left after %d steps",
+                  usual, STEPS);
         for (int v = 1; v < VARIANTS; v++)
             if (takes(&engine_2d, *m, v))
-                remedy_add(g, "H2", (*m)->name, variants[v].name, mark_kept(usual),
-                           mark_kept(last_left(t, (*m)->name, v).value));
+                grade_remedy_add(g, "H2", (*m)->name, variants[v].name, mark_kept(usual),
+                                 mark_kept(last_left(t, (*m)->name, v).value));
     }
     table_free(t);
-    const int code = hard_end(g, dir, name, "remedies", fault);
-    return hard_end(f, dir, name, "grades", fault) ? FAULT_MACHINE : code;
+    const int code = grades_end(g, dir, name, "remedies", fault);
+    return grades_end(f, dir, name, "grades", fault) ? FAULT_MACHINE : code;
 }
 
 static int tables(const char *dir, bool quick, Fault *fault)
@@ -142,7 +143,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
     char path[PATH_TEXT];
     Files files;
     (void)quick;
-    part_path(path, dir, name, "kept");
+    table_part_path(path, dir, name, "kept");
     FILE *f = file_begin(path, fault);
     if (!f) return FAULT_MACHINE;
     files_open(&files, dir, name);

@@ -79,7 +79,7 @@ static double force_inside(const Files *files, const char *method, int kind, con
     const double stress = 0.5e4 * (MOST - 1 / MOST);
     snprintf(part, sizeof part, "%s.%s.force", method, kinds[kind].name);
     *status = file_status(files, part);
-    Table *t = strcmp(*status, "absent") ? part_read(files->dir, name, part, NULL) : NULL;
+    Table *t = strcmp(*status, "absent") ? table_read_part(files->dir, name, part, NULL) : NULL;
     double most = -INFINITY;
     for (int k = 0; t && k < t->nrow; k++) {
         const double f = table_number(t, k, "mass") * table_number(t, k, "vx") / (dt * stress);
@@ -124,7 +124,7 @@ static void write_all(FILE *curve, FILE *onset, const char *dir)
         for (const Info *const *m = kinds[k].engine->methods; *m; m++)
             for (int v = 0; v < VARIANTS; v++) {
                 part_name(part, (*m)->name, k, v);
-                Table *t = part_read(dir, name, part, NULL);
+                Table *t = table_read_part(dir, name, part, NULL);
                 snprintf(head, sizeof head, "%s,%s,%s", kinds[k].name, (*m)->name,
                          variants[v].name);
                 const char *status = "absent";
@@ -138,43 +138,46 @@ static void write_all(FILE *curve, FILE *onset, const char *dir)
 
 static int write_marks(const char *dir, Fault *fault)
 {
-    Table *t = part_read(dir, name, "onset", fault);
+    Table *t = table_read_part(dir, name, "onset", fault);
     FILE *f = t ? grades_begin(dir, name, fault) : NULL;
     for (const Info *const *m = engine_2d.methods; f && *m; m++) {
-        const double force = fmax(ended_pick(t, "force", "method=%s kind=bar1", (*m)->name).value,
-                                  ended_pick(t, "force", "method=%s kind=bar2", (*m)->name).value);
+        const double force =
+            fmax(select_ended_value(t, "force", "method=%s kind=bar1", (*m)->name).value,
+                 select_ended_value(t, "force", "method=%s kind=bar2", (*m)->name).value);
         double first = INFINITY;
         int ran = 0;
         for (int k = 0; k < KINDS; k++) {
             const char *where = "method=%s kind=%s variant=usual";
-            const double at = ended_pick(t, "onset", where, (*m)->name, kinds[k].name).value;
-            const double end = ended_pick(t, "reached", where, (*m)->name, kinds[k].name).value;
+            const double at =
+                select_ended_value(t, "onset", where, (*m)->name, kinds[k].name).value;
+            const double end =
+                select_ended_value(t, "reached", where, (*m)->name, kinds[k].name).value;
             ran += !isnan(end);
             if (end < 0.99 * MOST) first = fmin(first, end);
             if (at < first) first = at;
         }
         if (ran == 0) continue; /* in a quick run */
-        mark_add(f, "H3", (*m)->name,
-                 !isinf(first)   ? MARK_LOST
-                 : force > WRONG ? MARK_WEAK
-                                 : MARK_OK,
-                 !isinf(first) ? "stress lost at a stretch of %.2g (worst of three)"
-                 : force > WRONG
-                     ? "stress is known to four times the length, but not carried: forces "
-                       "up to %.2g of sigma A inside"
-                     : "carries stress to four times its length",
-                 isinf(first) ? force : first);
+        grade_add(f, "H3", (*m)->name,
+                  !isinf(first)   ? MARK_LOST
+                  : force > WRONG ? MARK_WEAK
+                                  : MARK_OK,
+                  !isinf(first) ? "stress lost at a stretch of %.2g (worst of three)"
+                  : force > WRONG
+                      ? "stress is known to four times the length, but not carried: forces "
+                        "up to %.2g of sigma A inside"
+                      : "carries stress to four times its length",
+                  isinf(first) ? force : first);
     }
     table_free(t);
-    return hard_end(f, dir, name, "grades", fault);
+    return grades_end(f, dir, name, "grades", fault);
 }
 
 static int tables(const char *dir, bool quick, Fault *fault)
 {
     char curve_path[PATH_TEXT], onset_path[PATH_TEXT];
     (void)quick;
-    part_path(curve_path, dir, name, "curves");
-    part_path(onset_path, dir, name, "onset");
+    table_part_path(curve_path, dir, name, "curves");
+    table_part_path(onset_path, dir, name, "onset");
     FILE *curve = file_begin(curve_path, fault);
     FILE *onset = curve ? file_begin(onset_path, fault) : NULL;
     if (onset) write_all(curve, onset, dir);
@@ -186,8 +189,8 @@ static int tables(const char *dir, bool quick, Fault *fault)
 
 static Measure onset(const Table *t, const char *method, int kind, const char *variant)
 {
-    return value_pick(t, "onset", "method=%s kind=%s variant=%s", method, kinds[kind].name,
-                      variant);
+    return select_value(t, "onset", "method=%s kind=%s variant=%s", method, kinds[kind].name,
+                        variant);
 }
 
 /* Distance from a particle [cells] at which its weight, a quadratic spline's, is the trigger
@@ -209,19 +212,21 @@ static void check(Check *c, const Table *rows, const char *dir)
           onset(t, "mpm", 2, "usual"), 2, 4);
     claim(c, "H3.gimp",
           "GIMP whose boxes follow F, convolved exactly, never: error at 4, worst of three",
-          worst_of(t, "gimp", KINDS, "error", "variant=usual"), 0, WRONG);
+          curve_worst_of_methods(t, "gimp", KINDS, "error", "variant=usual"), 0, WRONG);
     claim(c, "H3.ugimp", "with boxes that keep their size later than tents: stretch over MPM's",
           over(onset(t, "gimp", 0, "undeformed"), onset(t, "mpm", 0, "usual")), 1, 2);
     claim(c, "H3.carried",
           "nor any method whose particles tell the grid their gradients: error of stress at 4",
-          worst_of(t, "ge_mpm ge_gimp apic tpic", KINDS, "error", "variant=usual"), 0, WRONG);
+          curve_worst_of_methods(t, "ge_mpm ge_gimp apic tpic", KINDS, "error", "variant=usual"), 0,
+          WRONG);
     /* The force is of a run of its own: the status of the stretched one does not matter. */
     claim(c, "H3.pieces",
           "but tents leave the bar in pieces, gradients or not: force at 4 over sigma A F/n, n = 1",
-          times(ended_pick(t, "force", "method=ge_mpm kind=bar1"), 1 / MOST), 0.99, 1.01);
+          times(select_ended_value(t, "force", "method=ge_mpm kind=bar1"), 1 / MOST), 0.99, 1.01);
     claim(c, "H3.gimp-carries", "GIMP and GE-GIMP carry the force: largest inside, over sigma A",
-          worst_of(t, "gimp ge_gimp", 1, "force", "kind=bar1 variant=usual force_status=ok"), 0,
-          WRONG);
+          curve_worst_of_methods(t, "gimp ge_gimp", 1, "force",
+                                 "kind=bar1 variant=usual force_status=ok"),
+          0, WRONG);
     const Measure wls2 = onset(t, "wls2", 0, "usual");
     const double d = good_within(0.25);
     claim(c, "H3.wls", "WLS until no particle is within the trigger weight: stretch over that, bar",

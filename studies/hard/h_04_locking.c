@@ -140,7 +140,7 @@ static void write_line(FILE *f, const Files *files, int row)
     const int cells = (int)table_number(rows, row, "cells");
     const char *nu = NULL;
     for (int k = 0; k < RATIOS; k++)
-        if (fabs(row_setting(rows, row, "nu") - strtod(nus[k], NULL)) < 1e-9) nu = nus[k];
+        if (fabs(select_setting(rows, row, "nu") - strtod(nus[k], NULL)) < 1e-9) nu = nus[k];
     if (!nu || (scene == BEAM && cells != COARSE)) return;
     Cloud c = cloud_read(files, scene, method, cells, nu);
     Cloud fine = cloud_read(files, BEAM, "fem", FINE, nu);
@@ -148,7 +148,7 @@ static void write_line(FILE *f, const Files *files, int row)
         free(fine.X);
         fine = cloud_read(files, BEAM, "fem", FINE / 4, nu);
     }
-    const bool gone = is_lost(rows, row);
+    const bool gone = select_is_lost(rows, row);
     const double scale = scene == PLATE ? M_PI * shear_modulus(nu) * amplitude : 0.01 * beam_E;
     const int share = table_number(rows, row, "elements") > 0 ? 2 : 1;
     fprintf(f, "%s,%s,%s,", scenes[scene], method, nu);
@@ -168,7 +168,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
     (void)quick;
     Files files;
     files_open(&files, dir, name);
-    part_path(path, dir, name, "locking");
+    table_part_path(path, dir, name, "locking");
     FILE *f = file_begin(path, fault);
     if (f) fputs("problem,method,nu,status,ratio,checkerboard\n", f);
     for (int row = 0; f && files.rows && row < files.rows->nrow; row++) write_line(f, &files, row);
@@ -179,14 +179,15 @@ static int tables(const char *dir, bool quick, Fault *fault)
 static Measure value(const Table *t, int scene, const char *method, const char *nu,
                      const char *what)
 {
-    return value_pick(t, what, "problem=%s method=%s nu=%s", scenes[scene], method, nu);
+    return select_value(t, what, "problem=%s method=%s nu=%s", scenes[scene], method, nu);
 }
 
 /* A number at nu = .499 of a method that reaches the end there; false of one that does not. */
 static bool reached(const Table *t, int scene, const char *method, const char *what, double *out)
 {
     *out = value(t, scene, method, "0.499", what).value;
-    return ended_pick(t, "nu", "problem=%s method=%s nu=0.499 status=ok", scenes[scene], method)
+    return select_ended_value(t, "nu", "problem=%s method=%s nu=0.499 status=ok", scenes[scene],
+                              method)
                .rows > 0;
 }
 

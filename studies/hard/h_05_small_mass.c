@@ -95,7 +95,7 @@ static bool window(const Ladder *l, int *low, int *high)
 static void refine(Cases *list, const Table *rows, bool quick)
 {
     Ladder *ladders;
-    const int n = ladders_read(rows, &ladders);
+    const int n = ladder_read_all(rows, &ladders);
     const double relative = quick ? 0.2 : 0.01;
     for (const Ladder *l = ladders; l < ladders + n; l++) {
         int low, high;
@@ -165,9 +165,9 @@ static int write_points(const char *dir, Fault *fault)
 {
     char path[PATH_TEXT];
     Ladder *ladders = NULL;
-    Table *rows = part_read(dir, name, NULL, fault);
-    part_path(path, dir, name, "points");
-    const int n = rows ? ladders_read(rows, &ladders) : 0;
+    Table *rows = table_read_part(dir, name, NULL, fault);
+    table_part_path(path, dir, name, "points");
+    const int n = rows ? ladder_read_all(rows, &ladders) : 0;
     FILE *f = rows ? file_begin(path, fault) : NULL;
     if (f) fputs("dim,method,edge,place,depth,critical,grows_below\n", f);
     for (int k = 0; f && k < n; k++) write_point(f, rows, &ladders[k]);
@@ -179,7 +179,7 @@ static int write_points(const char *dir, Fault *fault)
 static int write_omega(const char *dir, Fault *fault)
 {
     char path[PATH_TEXT];
-    part_path(path, dir, name, "omega");
+    table_part_path(path, dir, name, "omega");
     FILE *f = file_begin(path, fault);
     if (f) fputs("dim,method,edge,place,depth,two_over_omega\n", f);
     for (const Info *const *m = engine_1d.methods; f && *m; m++)

@@ -63,7 +63,7 @@ static void write_points(FILE *f, const Table *rows)
         else
             fprintf(f, "%g,%g,", setting(rows, row, "grading"), jitter);
         fprintf(f, "%s,%s,%s\n", table_text(rows, row, "error_linf"),
-                is_lost(rows, row) ? table_text(rows, row, "status") : "ok",
+                select_is_lost(rows, row) ? table_text(rows, row, "status") : "ok",
                 table_text(rows, row, "fallbacks"));
     }
 }
@@ -73,11 +73,11 @@ static Measure few_error(const Table *t, int scene, const char *method, double p
 {
     static const char where[] = "case=H7 problem=%s method=%s x=%g";
     const char *problem = scenes[scene].problem;
-    const Measure there = ended_pick(t, "x", where, problem, method, per_axis);
-    const Measure error = value_pick(t, "error", where, problem, method, per_axis);
+    const Measure there = select_ended_value(t, "x", where, problem, method, per_axis);
+    const Measure error = select_value(t, "error", where, problem, method, per_axis);
     if (error.rows || !there.rows) return error;
-    const Measure ok = ended_pick(t, "x", "case=H7 problem=%s method=%s x=%g status=ok", problem,
-                                  method, per_axis);
+    const Measure ok = select_ended_value(t, "x", "case=H7 problem=%s method=%s x=%g status=ok",
+                                          problem, method, per_axis);
     return with_value(there, ok.rows ? NAN : INFINITY);
 }
 
@@ -99,27 +99,27 @@ static void write_marks(FILE *f, const Table *t)
 {
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         const char *method = (*m)->name;
-        const double e = worst_of(t, method, 1, "error", "case=H6").value;
+        const double e = curve_worst_of_methods(t, method, 1, "error", "case=H6").value;
         const double least = fewest(t, method);
         if (!has_grid(&engine_2d, method)) continue;
-        mark_add(f, "H6", method, mark_of(e, 1e-12, 1),
-                 e <= 1e-12 ? "linear fields exact from any particles"
-                            : "a linear field off by up to %.2g from jittered, graded particles",
-                 e);
-        mark_add(f, "H7", method,
-                 least <= 0.5   ? MARK_OK
-                 : least <= 1.5 ? MARK_WEAK
-                                : MARK_LOST,
-                 isinf(least) ? "two particles per axis are not enough for an error below a tenth"
-                              : "needs %.2g particles per axis for an error below a tenth",
-                 least);
+        grade_add(f, "H6", method, grade_mark_of(e, 1e-12, 1),
+                  e <= 1e-12 ? "linear fields exact from any particles"
+                             : "a linear field off by up to %.2g from jittered, graded particles",
+                  e);
+        grade_add(f, "H7", method,
+                  least <= 0.5   ? MARK_OK
+                  : least <= 1.5 ? MARK_WEAK
+                                 : MARK_LOST,
+                  isinf(least) ? "two particles per axis are not enough for an error below a tenth"
+                               : "needs %.2g particles per axis for an error below a tenth",
+                  least);
     }
 }
 
 static int tables(const char *dir, bool quick, Fault *fault)
 {
     (void)quick;
-    return hard_tables(dir, name, "points", write_points, write_marks, fault);
+    return grades_tables(dir, name, "points", write_points, write_marks, fault);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
@@ -128,11 +128,12 @@ static void check(Check *c, const Table *rows, const char *dir)
     Measure lost = sum_of(4);
     (void)rows;
     claim(c, "H6.exact", "GE, APIC, TPIC, WLS: a linear field from any particles, largest error",
-          worst_of(t, "ge_mpm ge_gimp apic tpic wls wls2", 2 * JITTERS, "error", "case=H6"), 0,
-          1e-12);
+          curve_worst_of_methods(t, "ge_mpm ge_gimp apic tpic wls wls2", 2 * JITTERS, "error",
+                                 "case=H6"),
+          0, 1e-12);
     claim(c, "H6.tent", "tents are worst: error of MPM over GIMP's, jitter 0.5",
-          over(value_pick(t, "error", "case=H6 method=mpm x=0.5 grading=1"),
-               value_pick(t, "error", "case=H6 method=gimp x=0.5 grading=1")),
+          over(select_value(t, "error", "case=H6 method=mpm x=0.5 grading=1"),
+               select_value(t, "error", "case=H6 method=gimp x=0.5 grading=1")),
           1, 5);
     claim(c, "H7.tent", "tents with half a particle per cell have empty nodes: error of the bar",
           few_error(t, 0, "mpm", 0.5), USABLE, 10);
@@ -149,7 +150,7 @@ static void check(Check *c, const Table *rows, const char *dir)
           "WLS needs three particles in a support: runs lost in the plane below one, of 4", lost, 4,
           4);
     claim(c, "H7.wls-one", "and falls back with one (W11 eq 14): fallbacks of WLS in the plane",
-          value_pick(t, "fallbacks", "case=H7 problem=axis_mms method=wls x=1"), 1, 1e6);
+          select_value(t, "fallbacks", "case=H7 problem=axis_mms method=wls x=1"), 1, 1e6);
     table_free(t);
 }
 

@@ -75,7 +75,7 @@ static State state_read(const char *dir, const char *part)
 {
     State s = {.least = INFINITY, .most = -INFINITY, .narrowest = INFINITY};
     double mass = 0, x = 0, y = 0, px = 0, py = 0;
-    Table *t = part_read(dir, name, part, NULL);
+    Table *t = table_read_part(dir, name, part, NULL);
     for (int k = 0; t && k < t->nrow; k++) {
         const double m = table_number(t, k, "mass"), Fxx = table_number(t, k, "Fxx");
         const double J =
@@ -124,8 +124,9 @@ static void write_one(FILE *f, const char *dir, const Table *rows, int row, int 
     const State s = state_read(dir, part);
     if (s.n == 0) return;
     fprintf(f, "%s,%s,%s,%s,%.6g,%.10g,%.10g,%.10g,%.10g,", scenes[scene].name, method,
-            variants[variant].name, is_lost(rows, row) ? table_text(rows, row, "status") : "ok",
-            turns, s.J, s.least, s.most, s.narrowest);
+            variants[variant].name,
+            select_is_lost(rows, row) ? table_text(rows, row, "status") : "ok", turns, s.J, s.least,
+            s.most, s.narrowest);
     if (scene == FREE)
         fprintf(f, ",%.10g\n", 1 - pow(worse(s.now / (w * s.before), 0), 1 / turns));
     else
@@ -135,8 +136,8 @@ static void write_one(FILE *f, const char *dir, const Table *rows, int row, int 
 static int write_turns(const char *dir, Fault *fault)
 {
     char path[PATH_TEXT];
-    part_path(path, dir, name, "turns");
-    Table *rows = part_read(dir, name, NULL, fault);
+    table_part_path(path, dir, name, "turns");
+    Table *rows = table_read_part(dir, name, NULL, fault);
     FILE *f = rows ? file_begin(path, fault) : NULL;
     if (f) fputs("scene,method,variant,status,turns,J,least,most,narrowest,growth,loss\n", f);
     for (int row = 0; f && row < rows->nrow; row++)
@@ -150,7 +151,7 @@ static int write_turns(const char *dir, Fault *fault)
 
 static bool is_kept(const Table *t, const char *method, const char *where)
 {
-    return value_pick(t, "turns", "method=%s status=ok %s", method, where).rows > 0;
+    return select_value(t, "turns", "method=%s status=ok %s", method, where).rows > 0;
 }
 
 /* Weak: J off by the rule's own growth or angular momentum by a hundredth a turn. */
@@ -159,7 +160,8 @@ static Mark mark_free(const Table *t, const char *method, const char *variant)
     char where[64];
     snprintf(where, sizeof where, "scene=free variant=%s", variant);
     if (!is_kept(t, method, where)) return MARK_LOST;
-    return mark_of(fabs(value_pick(t, "loss", "method=%s %s", method, where).value), 0.002, 1);
+    return grade_mark_of(fabs(select_value(t, "loss", "method=%s %s", method, where).value), 0.002,
+                         1);
 }
 
 static Mark mark_spin(const Table *t, const char *method, const char *variant)
@@ -167,8 +169,8 @@ static Mark mark_spin(const Table *t, const char *method, const char *variant)
     char where[64];
     snprintf(where, sizeof where, "scene=spin variant=%s", variant);
     if (!is_kept(t, method, where)) return MARK_LOST;
-    return mark_of(fabs(value_pick(t, "J", "method=%s %s", method, where).value - 1), 0.01,
-                   INFINITY);
+    return grade_mark_of(fabs(select_value(t, "J", "method=%s %s", method, where).value - 1), 0.01,
+                         INFINITY);
 }
 
 static void write_marks(FILE *f, FILE *g, const Table *t)
@@ -176,25 +178,27 @@ static void write_marks(FILE *f, FILE *g, const Table *t)
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         const char *method = (*m)->name;
         const double turned =
-            ended_pick(t, "turns", "method=%s scene=free variant=usual", method).value;
+            select_ended_value(t, "turns", "method=%s scene=free variant=usual", method).value;
         const Mark spin = mark_spin(t, method, "usual"), motion = mark_free(t, method, "usual");
         if (isnan(turned)) continue;
-        mark_add(f, "H8a", method, spin, "area %.3g times the right one after %d imposed turns",
-                 ended_pick(t, "J", "method=%s scene=spin variant=usual", method).value, TURNS);
+        grade_add(f, "H8a", method, spin, "area %.3g times the right one after %d imposed turns",
+                  select_ended_value(t, "J", "method=%s scene=spin variant=usual", method).value,
+                  TURNS);
         if (motion == MARK_LOST)
-            mark_add(f, "H8b", method, motion, "lost after %.2g turns", turned);
+            grade_add(f, "H8b", method, motion, "lost after %.2g turns", turned);
         else
-            mark_add(f, "H8b", method, motion, "angular momentum changes by %.2g %% a turn",
-                     -100 *
-                         value_pick(t, "loss", "method=%s scene=free variant=usual", method).value);
+            grade_add(
+                f, "H8b", method, motion, "angular momentum changes by %.2g %% a turn",
+                -100 * select_value(t, "loss", "method=%s scene=free variant=usual", method).value);
         for (int v = 1; v < VARIANTS; v++) {
             const char *option = variants[v].setting + strlen(" --set ");
             const char *where = "method=%s scene=%s variant=%s";
-            if (ended_pick(t, "turns", where, method, "spin", variants[v].name).rows)
-                remedy_add(g, "H8a", method, option, spin, mark_spin(t, method, variants[v].name));
-            if (ended_pick(t, "turns", where, method, "free", variants[v].name).rows)
-                remedy_add(g, "H8b", method, option, motion,
-                           mark_free(t, method, variants[v].name));
+            if (select_ended_value(t, "turns", where, method, "spin", variants[v].name).rows)
+                grade_remedy_add(g, "H8a", method, option, spin,
+                                 mark_spin(t, method, variants[v].name));
+            if (select_ended_value(t, "turns", where, method, "free", variants[v].name).rows)
+                grade_remedy_add(g, "H8b", method, option, motion,
+                                 mark_free(t, method, variants[v].name));
         }
     }
 }
@@ -203,13 +207,13 @@ static int tables(const char *dir, bool quick, Fault *fault)
 {
     (void)quick;
     if (write_turns(dir, fault)) return FAULT_MACHINE;
-    Table *t = part_read(dir, name, "turns", fault);
+    Table *t = table_read_part(dir, name, "turns", fault);
     FILE *f = t ? grades_begin(dir, name, fault) : NULL;
-    FILE *g = f ? remedies_begin(dir, name, fault) : NULL;
+    FILE *g = f ? grades_remedies_begin(dir, name, fault) : NULL;
     if (g) write_marks(f, g, t);
     table_free(t);
-    const int code = hard_end(g, dir, name, "remedies", fault);
-    return hard_end(f, dir, name, "grades", fault) ? FAULT_MACHINE : code;
+    const int code = grades_end(g, dir, name, "remedies", fault);
+    return grades_end(f, dir, name, "grades", fault) ? FAULT_MACHINE : code;
 }
 
 /* Largest |growth - 1| of the imposed spin, of those methods or of all that finish ("", of which
@@ -225,7 +229,7 @@ static Measure off_growth(const Table *t, const char *methods, int many)
             (methods[0] && !strstr(methods, word)))
             continue;
         const double growth = kept_number(t, k, "growth");
-        if (methods[0] || !is_lost(t, k)) add_largest(&worst, fabs(growth - 1));
+        if (methods[0] || !select_is_lost(t, k)) add_largest(&worst, fabs(growth - 1));
     }
     return worst;
 }
@@ -237,7 +241,7 @@ static Measure lost_stretched(const Table *t)
     Measure lost = sum_of(4);
     for (int m = 0; m < 4; m++) {
         const char *where = "scene=free variant=stretch";
-        if (ended_pick(t, "turns", "method=%s %s", methods[m], where).rows)
+        if (select_ended_value(t, "turns", "method=%s %s", methods[m], where).rows)
             add_sum(&lost, !is_kept(t, methods[m], where));
     }
     return lost;
@@ -248,16 +252,17 @@ static void check_remedies(Check *c, const Table *t)
 {
     const char *linear = "ge_mpm ge_gimp apic tpic wls2";
     const double quarter = exp(TURNS * 2 * M_PI * PER_STEP / 4);
-    const Measure J = worst_of(t, linear, 1, "J", "scene=spin variant=exponential");
+    const Measure J = curve_worst_of_methods(t, linear, 1, "J", "scene=spin variant=exponential");
     claim(c, "H8a.exponential", "imposed spin, F = exp(dt L) F: J after ten turns, less 1",
           with_value(J, J.value - 1), -1e-6, 1e-6);
     claim(c, "H8a.subcycled", "in four parts: J after ten turns over exp(2 pi w dt/4) a turn",
-          times(worst_of(t, linear, 1, "J", "scene=spin variant=subcycled"), 1 / quarter), 0.99,
-          1.01);
+          times(curve_worst_of_methods(t, linear, 1, "J", "scene=spin variant=subcycled"),
+                1 / quarter),
+          0.99, 1.01);
     claim(c, "H8b.stretch", "free spin, boxes of width l0 U_dd: GIMP, GE-GIMP, XPIC, FMPM lost",
           lost_stretched(t), 0, 0);
     claim(c, "H8b.exponential", "F = exp(dt L) F does not fit x += dt v: GIMP is lost after turns",
-          ended_pick(t, "turns", "method=gimp scene=free variant=exponential"), 0, 9.9);
+          select_ended_value(t, "turns", "method=gimp scene=free variant=exponential"), 0, 9.9);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
@@ -273,17 +278,17 @@ static void check(Check *c, const Table *rows, const char *dir)
                   "than it is");
     claim(c, "H8a.extent",
           "after a quarter turn boxes have no width left: |F_xx|, narrowest of GIMP",
-          value_pick(t, "narrowest", "scene=quarter variant=usual method=gimp"), 0, 0.02);
+          select_value(t, "narrowest", "scene=quarter variant=usual method=gimp"), 0, 0.02);
     claim_differs(
         c, "H8b.J", "free spin, cd: J stays bounded: largest mean, GIMP, GE-GIMP, APIC, FEM",
-        worst_of(t, "gimp ge_gimp apic fem", 1, "J", "scene=free variant=usual"), 1, 1.015, 1.015,
-        1.03,
+        curve_worst_of_methods(t, "gimp ge_gimp apic fem", 1, "J", "scene=free variant=usual"), 1,
+        1.015, 1.015, 1.03,
         "bounded it is; but the block starts without the strain that its spin asks for and "
         "breathes, with FEM, too");
     claim(c, "H8b.gimp", "GIMP loses 1.7 % of its angular momentum a turn",
-          value_pick(t, "loss", "scene=free variant=usual method=gimp"), 0.012, 0.022);
+          select_value(t, "loss", "scene=free variant=usual method=gimp"), 0.012, 0.022);
     claim_differs(c, "H8b.ge-gimp", "GE-GIMP a tenth of a per cent",
-                  value_pick(t, "loss", "scene=free variant=usual method=ge_gimp"), 0.0005, 0.002,
+                  select_value(t, "loss", "scene=free variant=usual method=ge_gimp"), 0.0005, 0.002,
                   0, 0.0005, "less still, on this mesh of 16 cells a side");
     check_remedies(c, t);
     table_free(t);

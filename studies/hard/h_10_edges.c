@@ -38,7 +38,7 @@ static void write_edges(FILE *f, const Table *rows)
                 if (strcmp(table_text(rows, row, "method"), (*m)->name) != 0 ||
                     !strstr(table_text(rows, row, "params"), text))
                     continue;
-                if (is_lost(rows, row)) status = table_text(rows, row, "status");
+                if (select_is_lost(rows, row)) status = table_text(rows, row, "status");
                 h[n] = table_number(rows, row, "h");
                 e[n++] = table_number(rows, row, "error_linf");
                 fallbacks = worse(fallbacks, table_number(rows, row, "fallbacks"));
@@ -52,19 +52,19 @@ static void write_edges(FILE *f, const Table *rows)
 static void write_marks(FILE *f, const Table *t)
 {
     for (const Info *const *m = engine_2d.methods; *m; m++) {
-        const double e = worst_of(t, (*m)->name, 1, "error", "status=ok").value;
+        const double e = curve_worst_of_methods(t, (*m)->name, 1, "error", "status=ok").value;
         if (!has_grid(&engine_2d, (*m)->name)) continue;
-        mark_add(f, "H10", (*m)->name, mark_of(e, 1e-12, 1),
-                 e <= 1e-12 ? "linear fields exact at edges, corners, gaps"
-                            : "at edges off by O(h): %.2g on the finest mesh",
-                 e);
+        grade_add(f, "H10", (*m)->name, grade_mark_of(e, 1e-12, 1),
+                  e <= 1e-12 ? "linear fields exact at edges, corners, gaps"
+                             : "at edges off by O(h): %.2g on the finest mesh",
+                  e);
     }
 }
 
 static int tables(const char *dir, bool quick, Fault *fault)
 {
     (void)quick;
-    return hard_tables(dir, name, "edges", write_edges, write_marks, fault);
+    return grades_tables(dir, name, "edges", write_edges, write_marks, fault);
 }
 
 /* Of all rows, as many as cases() asks for. */
@@ -79,13 +79,13 @@ static Measure lost(const Table *rows)
 /* Of the block, over all meshes. */
 static Measure order(const Table *t, const char *method)
 {
-    return value_pick(t, "order", "method=%s body=block meshes=%d", method, MESHES);
+    return select_value(t, "order", "method=%s body=block meshes=%d", method, MESHES);
 }
 
 /* Largest of all four bodies on the finest mesh. */
 static Measure worst_error(const Table *t, const char *methods)
 {
-    return worst_of(t, methods, BODIES, "error", "meshes=4");
+    return curve_worst_of_methods(t, methods, BODIES, "error", "meshes=4");
 }
 
 static void check(Check *c, const Table *rows, const char *dir)

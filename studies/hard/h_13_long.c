@@ -80,7 +80,7 @@ static Long long_runs(const Table *rows, int scene, const Info *method, int vari
             spline != is_spline(method, variant))
             continue;
         out.n++;
-        out.lost += is_lost(rows, row);
+        out.lost += select_is_lost(rows, row);
         out.gain = worse(out.gain, isnan(drift) ? INFINITY : drift);
         out.loss = worse(out.loss, isnan(drift) ? INFINITY : -drift);
     }
@@ -89,7 +89,7 @@ static Long long_runs(const Table *rows, int scene, const Info *method, int vari
 
 static Mark mark_long(Long l)
 {
-    return l.lost || l.n == 0 ? MARK_LOST : mark_of(worse(l.gain, l.loss), 0.05, INFINITY);
+    return l.lost || l.n == 0 ? MARK_LOST : grade_mark_of(worse(l.gain, l.loss), 0.05, INFINITY);
 }
 
 /* NAME.drift.csv: problem,method,variant,lost,gain,loss,runs,status. */
@@ -112,13 +112,13 @@ static void write_one(FILE *drift, FILE *grades, FILE *remedies, const Table *ro
             worst.lost += l.lost;
         }
     if (worst.lost)
-        mark_add(grades, "H13", method->name, marks[0], "%d of four long runs lost", worst.lost);
+        grade_add(grades, "H13", method->name, marks[0], "%d of four long runs lost", worst.lost);
     else
-        mark_add(grades, "H13", method->name, marks[0],
-                 "energy from %+.0f to %+.0f %% after twenty periods, ten impacts",
-                 -100 * worst.loss, 100 * worst.gain);
+        grade_add(grades, "H13", method->name, marks[0],
+                  "energy from %+.0f to %+.0f %% after twenty periods, ten impacts",
+                  -100 * worst.loss, 100 * worst.gain);
     if (has_param(method, "return"))
-        remedy_add(remedies, "H13", method->name, "return=spline", marks[0], marks[1]);
+        grade_remedy_add(remedies, "H13", method->name, "return=spline", marks[0], marks[1]);
 }
 
 /* NAME.ledger.csv: problem,method,variant,t,ledger: every so many instants of the histories. */
@@ -130,7 +130,7 @@ static void write_ledger(FILE *f, const char *dir)
         for (int m = 0; m < SHOWN; m++)
             for (int v = 0; v < VARIANTS; v++) {
                 part_name(part, s, shown[m], v);
-                Table *t = part_read(dir, name, part, NULL);
+                Table *t = table_read_part(dir, name, part, NULL);
                 double most = 0;
                 for (int k = 0; t && k < t->nrow; k++)
                     most = worse(most, table_number(t, k, "total"));
@@ -146,23 +146,23 @@ static void write_ledger(FILE *f, const char *dir)
 
 static int write_marks(const char *dir, FILE *drift, Fault *fault)
 {
-    Table *rows = part_read(dir, name, NULL, fault);
+    Table *rows = table_read_part(dir, name, NULL, fault);
     FILE *f = rows ? grades_begin(dir, name, fault) : NULL;
-    FILE *g = f ? remedies_begin(dir, name, fault) : NULL;
+    FILE *g = f ? grades_remedies_begin(dir, name, fault) : NULL;
     fputs("problem,method,variant,lost,gain,loss,runs,status\n", drift);
     for (const Info *const *m = engine_2d.methods; g && *m; m++)
         if (long_runs(rows, 0, *m, 0).n > 0) write_one(drift, f, g, rows, *m);
     table_free(rows);
-    const int code = hard_end(g, dir, name, "remedies", fault);
-    return hard_end(f, dir, name, "grades", fault) ? FAULT_MACHINE : code;
+    const int code = grades_end(g, dir, name, "remedies", fault);
+    return grades_end(f, dir, name, "grades", fault) ? FAULT_MACHINE : code;
 }
 
 static int tables(const char *dir, bool quick, Fault *fault)
 {
     char drift_path[PATH_TEXT], ledger_path[PATH_TEXT];
     (void)quick;
-    part_path(drift_path, dir, name, "drift");
-    part_path(ledger_path, dir, name, "ledger");
+    table_part_path(drift_path, dir, name, "drift");
+    table_part_path(ledger_path, dir, name, "ledger");
     FILE *drift = file_begin(drift_path, fault);
     FILE *ledger = drift ? file_begin(ledger_path, fault) : NULL;
     int code = FAULT_MACHINE;
@@ -184,8 +184,8 @@ static Measure most_lost(const Table *t, const char *methods, const char *where,
     for (char *m; (m = strtok_r(rest, " ", &rest));) {
         Measure own = largest_of(each);
         for (int s = 0; s < SCENES; s++) {
-            const Measure one = ended_pick(t, "lost", "method=%s problem=%s runs=%d %s", m,
-                                           scenes[s].problem, MESHES, where);
+            const Measure one = select_ended_value(t, "lost", "method=%s problem=%s runs=%d %s", m,
+                                                   scenes[s].problem, MESHES, where);
             if (one.rows) add_largest(&own, one.value);
         }
         lost = largest(lost, own);
@@ -202,17 +202,19 @@ static void check(Check *c, const Table *rows, const char *dir)
     claim(c, "H13.smooth", "GIMP, GE-GIMP, B-spline, APIC, TPIC, XPIC, FMPM, FEM: most runs lost",
           most_lost(t, smooth, "variant=usual", SCENES), 0, 0);
     claim(c, "H13.smooth-gain", "and none gains 5 % of energy: most gained",
-          worst_of(t, smooth, SCENES, "gain", "variant=usual runs=2"), -1, growth);
+          curve_worst_of_methods(t, smooth, SCENES, "gain", "variant=usual runs=2"), -1, growth);
     claim(c, "H13.wls",
           "WLS (the paper's reading) creeps up: energy gained in twenty periods of the ring",
-          worst_of(t, "wls", 1, "gain", "problem=ring variant=usual runs=2"), growth, 10);
+          curve_worst_of_methods(t, "wls", 1, "gain", "problem=ring variant=usual runs=2"), growth,
+          10);
     claim_differs(c, "H13.wls2", "WLS2 is bounded: energy gained in twenty periods of the ring",
-                  worst_of(t, "wls2", 1, "gain", "problem=ring variant=usual runs=2"), -1, growth,
-                  growth, 1,
+                  curve_worst_of_methods(t, "wls2", 1, "gain", "problem=ring variant=usual runs=2"),
+                  -1, growth, growth, 1,
                   "it creeps up, too, later: what was fitted through splines is returned through "
                   "tents, on which H2's ringing feeds");
     claim(c, "H13.spline", "returned through splines both are bounded: most gained on the ring",
-          worst_of(t, "wls wls2", 1, "gain", "problem=ring variant=spline runs=2"), -1, growth);
+          curve_worst_of_methods(t, "wls wls2", 1, "gain", "problem=ring variant=spline runs=2"),
+          -1, growth);
     claim(c, "H13.disk", "and WLS2 outlives all impacts of the disk: runs lost",
           most_lost(t, "wls2", "problem=disk_impact variant=spline", 1), 0, 0);
     table_free(t);

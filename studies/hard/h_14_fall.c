@@ -44,21 +44,21 @@ static Measure worst(const Table *rows, const char *method, int from, int to)
 
 static int tables(const char *dir, bool quick, Fault *fault)
 {
-    Table *rows = part_read(dir, name, NULL, fault);
+    Table *rows = table_read_part(dir, name, NULL, fault);
     FILE *f = rows ? grades_begin(dir, name, fault) : NULL;
     (void)quick;
     for (const Info *const *m = engine_2d.methods; f && *m; m++) {
         const double e = worst(rows, (*m)->name, 0, 3).value;
-        mark_add(f, "H14", (*m)->name, mark_of(e, 1e-12, 1e-3), "off by %.1g m", e);
+        grade_add(f, "H14", (*m)->name, grade_mark_of(e, 1e-12, 1e-3), "off by %.1g m", e);
     }
     table_free(rows);
-    return hard_end(f, dir, name, "grades", fault);
+    return grades_end(f, dir, name, "grades", fault);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
 {
-    const double dt = value_pick(rows, "dt", "method=mpm").value; /* 1D */
-    const double t = value_pick(rows, "steps", "method=mpm").value * dt;
+    const double dt = select_value(rows, "dt", "method=mpm").value; /* 1D */
+    const double t = select_value(rows, "steps", "method=mpm").value * dt;
     (void)dir;
     claim(c, "H14.half-step",
           "x - g t^2/2 with the half first step (cd, uvf, musl), every method and FEM [m]",

@@ -103,7 +103,7 @@ static double stretch_of(const Files *files, const char *method, int rule)
 static int grade(const Table *rows, int row, bool bar)
 {
     const double error = table_number(rows, row, "error_linf");
-    if (is_lost(rows, row) || (!bar && isnan(error))) return 3;
+    if (select_is_lost(rows, row) || (!bar && isnan(error))) return 3;
     return bar || error <= 0.03 ? 0 : error <= 0.1 ? 1 : 2;
 }
 
@@ -124,7 +124,7 @@ static int column_of(const Table *rows, int row, bool quick)
     const bool bar = strcmp(table_text(rows, row, "problem"), "hanging_bar") == 0;
     if (bar) return table_number(rows, row, "t_end") > 2 * bar_end ? TURNS : -1;
     for (int k = 0; k < TURNS; k++)
-        if (fabs(row_setting(rows, row, "G") - turns[k]) < 1e-12 &&
+        if (fabs(select_setting(rows, row, "G") - turns[k]) < 1e-12 &&
             (quick || fabs(table_number(rows, row, "cells") - (double)FINE) < 0.5))
             return k;
     return -1;
@@ -153,14 +153,15 @@ static void write_grid(FILE *f, const Files *files, bool quick)
 }
 
 /* Errors against N at G = .5, runs that reached the end. */
-static void write_errors(FILE *f, const Table *rows)
+static void output_errors(FILE *f, const Table *rows)
 {
     fputs("method,rule,cells,error,status\n", f);
     for (int row = 0; row < rows->nrow; row++)
-        if (fabs(row_setting(rows, row, "G") - 0.5) < 1e-12)
+        if (fabs(select_setting(rows, row, "G") - 0.5) < 1e-12)
             fprintf(f, "%s,%s,%g,%.10g,%s\n", table_text(rows, row, "method"),
                     rules[rule_of(rows, row)], table_number(rows, row, "cells"),
-                    table_number(rows, row, "error_linf"), is_lost(rows, row) ? "lost" : "ok");
+                    table_number(rows, row, "error_linf"),
+                    select_is_lost(rows, row) ? "lost" : "ok");
 }
 
 static int tables(const char *dir, bool quick, Fault *fault)
@@ -170,9 +171,9 @@ static int tables(const char *dir, bool quick, Fault *fault)
     files_open(&files, dir, name);
     int code = files.rows ? 0 : fault_set(fault, FAULT_MACHINE, "%s/%s.csv is gone", dir, name);
     for (int k = 0; k < 2 && !code; k++) {
-        part_path(path, dir, name, k ? "errors" : "grid");
+        table_part_path(path, dir, name, k ? "errors" : "grid");
         FILE *f = file_begin(path, fault);
-        if (f && k) write_errors(f, files.rows);
+        if (f && k) output_errors(f, files.rows);
         if (f && !k) write_grid(f, &files, quick);
         code = f ? file_commit(f, path, fault) : FAULT_MACHINE;
     }
@@ -182,16 +183,16 @@ static int tables(const char *dir, bool quick, Fault *fault)
 
 static Measure error(const Table *t, const char *method, const char *rule, int cells)
 {
-    return value_pick(t, "error", "method=%s rule=%s cells=%d", method, rule, cells);
+    return select_value(t, "error", "method=%s rule=%s cells=%d", method, rule, cells);
 }
 
 /* The error in a column of the grid, of a run that was not lost. */
 static Measure error_at(const Table *grid, const char *method, const char *rule, int column)
 {
     static const char where[] = "method=%s rule=%s column=%d";
-    if (!(value_pick(grid, "grade", where, method, rule, column).value <= 2))
+    if (!(select_value(grid, "grade", where, method, rule, column).value <= 2))
         return measure(NAN, 0, 1);
-    return value_pick(grid, "text", where, method, rule, column);
+    return select_value(grid, "text", where, method, rule, column);
 }
 
 /* How many of the named are lost in a column of the grid (3: the vortex at G = 1; 4: the bar). */
@@ -202,7 +203,7 @@ static Measure lost(const Table *grid, const char *methods, const char *rule, in
     snprintf(list, sizeof list, "%s", methods);
     for (char *m; (m = strtok_r(rest, " ", &rest));) {
         const Measure grade =
-            value_pick(grid, "grade", "method=%s rule=%s column=%d", m, rule, column);
+            select_value(grid, "grade", "method=%s rule=%s column=%d", m, rule, column);
         n = sum(n, with_value(grade, grade.value > 2));
     }
     return n;
@@ -251,8 +252,8 @@ static void check_bar(Check *c, const Table *grid)
                   "particles at the corners of the clamp invert before t = .06");
     claim(c, "H-15.bar-agrees",
           "before that all agree: GIMP's length of the bar at t = .045 s over FEM's",
-          over(value_pick(grid, "stretch", "method=gimp rule=fxx column=4"),
-               value_pick(grid, "stretch", "method=fem rule=fxx column=4")),
+          over(select_value(grid, "stretch", "method=gimp rule=fxx column=4"),
+               select_value(grid, "stretch", "method=fem rule=fxx column=4")),
           0.97, 1.03);
 }
 

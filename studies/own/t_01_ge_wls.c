@@ -116,8 +116,8 @@ static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT], text[64];
     (void)quick;
-    part_path(path, dir, name, "shares");
-    Table *rows = part_read(dir, name, NULL, fault);
+    table_part_path(path, dir, name, "shares");
+    Table *rows = table_read_part(dir, name, NULL, fault);
     FILE *f = rows ? file_begin(path, fault) : NULL;
     if (f) fputs("problem,what,cells,share\n", f);
     for (int what = -1; f && what <= PARTS; what++)
@@ -173,8 +173,8 @@ static void check_ring(Check *c, const Table *rows)
         snprintf(id, sizeof id, "T-1b.four-%d", n);
         snprintf(text, sizeof text, "four periods, N = %d: largest error over FEM's", n);
         claim(c, id, text,
-              over(value_pick(rows, "error_linf", four_periods, "ge_wls", n),
-                   value_pick(rows, "error_linf", four_periods, "fem", n)),
+              over(select_value(rows, "error_linf", four_periods, "ge_wls", n),
+                   select_value(rows, "error_linf", four_periods, "fem", n)),
               0, 1);
     }
 }
@@ -199,8 +199,8 @@ static Measure worst_step(const Table *rows)
     static const char where[] = "problem=ring method=%s cells=32 cfl=%.17g";
     Measure worst = largest_of(0);
     for (int k = 0; k < STEPS; k++)
-        worst = largest(worst, value_pick(rows, "error_linf", where, "ge_wls", cfl[k]));
-    return over(worst, value_pick(rows, "error_linf", where, "fem", cfl[0]));
+        worst = largest(worst, select_value(rows, "error_linf", where, "ge_wls", cfl[k]));
+    return over(worst, select_value(rows, "error_linf", where, "fem", cfl[0]));
 }
 
 static void check_doubts(Check *c, const Table *rows)
@@ -209,7 +209,7 @@ static void check_doubts(Check *c, const Table *rows)
     const Measure mean = offsets(rows, "ge_wls", &sd);
     claim(c, "T-1b.offsets", "whole rings at ten offsets and angles, N = 32: mean error over FEM's",
           over(mean, offsets(rows, "fem", &sd_fem)), 0, 1);
-    note_number(c, "spread", sd / mean.value);
+    claim_note(c, "spread", sd / mean.value);
     claim(c, "T-1b.cfl", "CFL .05 to .8, N = 32: largest error over FEM's at CFL .05",
           worst_step(rows), 0, 1);
     claim(c, "T-1b.lost", "runs of ge_wls lost, of all here, parts removed included",

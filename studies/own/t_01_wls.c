@@ -107,18 +107,18 @@ static int tables(const char *dir, bool quick, Fault *fault)
     char path[PATH_TEXT], part[64];
     Files files;
     files_open(&files, dir, name);
-    part_path(path, dir, name, "cuts");
+    table_part_path(path, dir, name, "cuts");
     FILE *f = file_begin(path, fault);
     if (f) fputs("method,cells,error,status\n", f);
     for (int m = 0; f && m < METHODS; m++)
         for (int k = 0; k < (quick ? 2 : CUT_MESHES); k++) {
             snprintf(part, sizeof part, "%s.%d", cut_methods[m], cut_cells[k]);
-            part_path(path, dir, name, part);
+            table_part_path(path, dir, name, part);
             fprintf(f, "%s,%d,%.17g,%s\n", cut_methods[m], cut_cells[k],
                     cut_error(path, cut_cells[k]), file_status(&files, part));
         }
     files_close(&files);
-    part_path(path, dir, name, "cuts");
+    table_part_path(path, dir, name, "cuts");
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
@@ -196,9 +196,10 @@ static void check_failures(Check *c, const Table *rows)
     claim(c, "T-1.c0", "values of nodes only, no slopes: largest error at N = 64 (WLS: 2.7e-4)",
           error_at(rows, C0, 64), 5e-3, 1);
     for (int k = 0; k < 5; k++) {
-        const double steps = ended_pick(rows, "steps", "method=wls cells=%d params=" ALL_SETTINGS,
-                                        cells[k], SETTINGS_OF(LITERAL))
-                                 .value;
+        const double steps =
+            select_ended_value(rows, "steps", "method=wls cells=%d params=" ALL_SETTINGS, cells[k],
+                               SETTINGS_OF(LITERAL))
+                .value;
         add_sum(&lost, isnan(steps) ? NAN : steps < 20);
     }
     claim(c, "T-1.literal", "the mean of forces as printed: runs of five lost within 20 steps",

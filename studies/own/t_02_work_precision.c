@@ -79,7 +79,7 @@ static bool resolved(const Ask *a, const char *options, char command[SPEC_TEXT])
     const Engine *engine;
     RunSpec spec;
     snprintf(text, sizeof text, "run %s --method %s%s", a->ladder->run, a->method, options);
-    if (run_text_resolve(text, &spec, &engine, NULL)) return false;
+    if (run_args_resolve(text, &spec, &engine, NULL)) return false;
     spec_command(&spec, command);
     return true;
 }
@@ -133,7 +133,7 @@ static void cases(Cases *list, bool quick)
 
 static int tables(const char *dir, bool quick, Fault *fault)
 {
-    Table *rows = part_read(dir, name, NULL, fault);
+    Table *rows = table_read_part(dir, name, NULL, fault);
     if (!rows) return FAULT_MACHINE;
     const int code = effort_tables(rows, quick ? 1 : REPEATS, dir, name, fault);
     table_free(rows);
@@ -148,8 +148,8 @@ typedef struct Reach {
 /* A number of the table of costs for one method; NAN if it does not get there by itself. */
 static Measure reach(const Reach *r, const char *method, const char *column)
 {
-    return value_pick(r->table, column, "problem=%s target=%s method=%s how=reached", r->problem,
-                      r->target, method);
+    return select_value(r->table, column, "problem=%s target=%s method=%s how=reached", r->problem,
+                        r->target, method);
 }
 
 static Measure ratio(const Reach *r, const char *method, const char *beside, const char *column)

@@ -22,7 +22,7 @@ enum { STALE = 16 }; /* lines of pairs with a stale gradient */
  * the lowest rung; the others get there where the next rung fails. Refused pairs run at one PPC. */
 static void add_ladders(Cases *list, const Map *map, const char *method, Pair pair, bool quick)
 {
-    const bool usual = map_is_usual(map, method, pair);
+    const bool usual = stability_is_usual(map, method, pair);
     const bool one = quick || !pair_is_allowed(map->engine, map->problem, method, pair);
     for (int a = 0; map->A[a] > 0; a++)
         for (int p = 0; map->ppc[p] > 0; p++)
@@ -32,7 +32,8 @@ static void add_ladders(Cases *list, const Map *map, const char *method, Pair pa
                          "run %s --method %s --integrator %s --cells %d --ppc %g --cfl %g --t-end "
                          "%.17g --set A=%g --set allow_unstable=1 --set refresh=%d",
                          map->problem, method, pair.integrator, map->cells[usual], map->ppc[p],
-                         map_rungs[k], (quick ? 2 : 10) * map->period, map->A[a], pair.refresh);
+                         stability_rungs[k], (quick ? 2 : 10) * map->period, map->A[a],
+                         pair.refresh);
             }
 }
 
@@ -41,7 +42,7 @@ static void cases(Cases *list, bool quick)
     for (const Map *map = stability_maps; map < stability_maps + MAPS; map++)
         for (const Info *const *m = map->engine->methods; *m; m++)
             for (int k = 0; k < PAIRS; k++)
-                if (map_has_pair(map, (*m)->name, k))
+                if (stability_has_pair(map, (*m)->name, k))
                     add_ladders(list, map, (*m)->name, pairs[k], quick);
 }
 
@@ -49,15 +50,16 @@ static void cases(Cases *list, bool quick)
 static double lowest(const Table *rows, int row)
 {
     const Pair pair = pairs[pair_of_row(rows, row)];
-    const bool usual = map_is_usual(map_of_row(rows, row), table_text(rows, row, "method"), pair);
-    return usual ? map_rungs[0] / 2 : map_rungs[0];
+    const bool usual =
+        stability_is_usual(stability_of_row(rows, row), table_text(rows, row, "method"), pair);
+    return usual ? stability_rungs[0] / 2 : stability_rungs[0];
 }
 
 /* Both limits, of stable runs and of runs that are not lost; they may lie in one gap. */
 static void refine(Cases *list, const Table *rows, bool quick)
 {
     Ladder *ladders;
-    const int n = ladders_read(rows, &ladders);
+    const int n = ladder_read_all(rows, &ladders);
     for (const Ladder *l = ladders; l < ladders + n; l++) {
         int before = -1;
         for (Grade worst = STABLE; worst < LOST; worst++) {
@@ -80,7 +82,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
 /* The least limit over PPC of a pair in 1D. */
 static Measure bar(const Table *worst, const char *what, const char *pair, double A)
 {
-    return value_pick(worst, what, "dim=1 %s amplitude=%g", pair, A);
+    return select_value(worst, what, "dim=1 %s amplitude=%g", pair, A);
 }
 
 /* In 2D, over both amplitudes, too. */
@@ -88,8 +90,8 @@ static Measure plane(const Table *worst, const char *method, const char *integra
 {
     static const char where[] = "dim=2 method=%s integrator=%s refresh=0 amplitude=%g";
     const double *A = stability_maps[1].A;
-    return least(value_pick(worst, "stable", where, method, integrator, A[0]),
-                 value_pick(worst, "stable", where, method, integrator, A[1]));
+    return least(select_value(worst, "stable", where, method, integrator, A[0]),
+                 select_value(worst, "stable", where, method, integrator, A[1]));
 }
 
 /* The largest over methods that refuse an integrator for its stale gradient. */

@@ -50,7 +50,7 @@ static int dim_of(const Table *rows, int row)
 static int grade(const Table *rows, int row)
 {
     double drift = fabs(table_number(rows, row, "energy_drift"));
-    if (is_lost(rows, row) || isnan(drift)) return 3;
+    if (select_is_lost(rows, row) || isnan(drift)) return 3;
     return drift <= 0.001 ? 0 : drift <= 0.05 ? 1 : 2;
 }
 
@@ -81,8 +81,8 @@ static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT];
     (void)quick;
-    part_path(path, dir, name, "grid");
-    Table *rows = part_read(dir, name, NULL, fault);
+    table_part_path(path, dir, name, "grid");
+    Table *rows = table_read_part(dir, name, NULL, fault);
     FILE *f = rows ? file_begin(path, fault) : NULL;
     if (f) fputs("dim,method,integrator,column,line,grade,text\n", f);
     for (int row = 0; f && row < rows->nrow; row++) write_cell(f, rows, row);
@@ -114,14 +114,15 @@ static Measure losses(const Table *rows, int dim, const char *method, int from, 
     Measure lost = sum_of(to - from + 1);
     for (int row = 0; row < rows->nrow; row++)
         if (is_among(rows, row, dim, method, from, to))
-            add_sum(&lost, is_lost(rows, row) || table_number(rows, row, "energy_drift") > most);
+            add_sum(&lost,
+                    select_is_lost(rows, row) || table_number(rows, row, "energy_drift") > most);
     return lost;
 }
 
 static Measure drift(const Table *rows, const char *method, const char *integrator)
 {
-    return value_pick(rows, "energy_drift", "problem=sine_bar method=%s integrator=%s", method,
-                      integrator);
+    return select_value(rows, "energy_drift", "problem=sine_bar method=%s integrator=%s", method,
+                        integrator);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)

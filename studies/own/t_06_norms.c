@@ -2,8 +2,8 @@
  *
  * Of each run: largest error, root mean square and mean over the points with mass, weighted by
  * their reference volumes; each as running maximum over all steps (columns of the row) and at the
- * end (from the file that --errors leaves). common/run/norm.c takes them all, of particles and of FEM's
- * nodes alike.
+ * end (from the file that --errors leaves). common/run/norm.c takes them all, of particles and of
+ * FEM's nodes alike.
  *
  * Same points. FEM has nodes on the surface, where errors are largest and a particle method has no
  * points. NAME.same.csv compares them where both have some: at every node that has particles on all
@@ -75,8 +75,8 @@ static int six_norms(const Files *files, const Ladder *l, const char *method, in
     Table *points = file_read(files, part);
     if (!points) return -1;
     for (int k = 0; k < 3; k++)
-        out[k] = value_pick(files->rows, columns[k], "problem=%s method=%s cells=%d", l->problem,
-                            method, cells)
+        out[k] = select_value(files->rows, columns[k], "problem=%s method=%s cells=%d", l->problem,
+                              method, cells)
                      .value;
     end_norms(points, out + 3);
     table_free(points);
@@ -179,7 +179,7 @@ static void write_same(FILE *f, const Files *files, const Ladder *l, const char 
 static FILE *begin(const char *dir, const char *part, char path[PATH_TEXT], const char *header,
                    Fault *fault)
 {
-    part_path(path, dir, name, part);
+    table_part_path(path, dir, name, part);
     FILE *f = file_begin(path, fault);
     if (f) fprintf(f, "%s\n", header);
     return f;
@@ -210,13 +210,13 @@ static Measure norm(const Table *t, const char *problem, const char *method, int
                     const char *what)
 {
     static const char where[] = "problem=%s method=%s norm=%d";
-    const Measure m = value_pick(t, what, where, problem, method, k);
+    const Measure m = select_value(t, what, where, problem, method, k);
     if (strcmp(what, "order") != 0) return m;
     const Ladder *l = ladders;
     int meshes = 0;
     while (strcmp(l->problem, problem) != 0) l++;
     while (meshes < MESHES && l->cells[meshes]) meshes++;
-    const double had = value_pick(t, "meshes", where, problem, method, k).value;
+    const double had = select_value(t, "meshes", where, problem, method, k).value;
     return measure(m.value, m.rows ? (int)had : 0, meshes);
 }
 
@@ -246,8 +246,8 @@ static Measure ratio_spread(const Table *t)
 
 static Measure same_ratio(const Table *same, int cells, const char *particles, const char *mesh)
 {
-    return over(value_pick(same, particles, "method=gimp cells=%d", cells),
-                value_pick(same, mesh, "method=gimp cells=%d", cells));
+    return over(select_value(same, particles, "method=gimp cells=%d", cells),
+                select_value(same, mesh, "method=gimp cells=%d", cells));
 }
 
 static void check_tables(Check *c, const Table *t, const Table *same)

@@ -28,8 +28,9 @@ const Engine *engine_for(const RunSpec *spec, Fault *fault)
     if (found && !dim) return found;
     const char *names[64];
     if (found)
-        refuse(fault, "--set dim", dim, dims, NULL, 0);
+        option_refuse(fault, "--set dim", dim, dims, NULL, 0);
     else
-        refuse(fault, "PROBLEM", spec->problem, "a problem", names, problem_names(names, 64));
+        option_refuse(fault, "PROBLEM", spec->problem, "a problem", names,
+                      engine_problem_names(names, 64));
     return NULL;
 }

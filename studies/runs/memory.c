@@ -13,13 +13,13 @@ void *must(void *memory)
     exit(1);
 }
 
-void *one_more(void *list, int n, size_t size)
+void *must_grow(void *list, int n, size_t size)
 {
     if (n & (n - 1)) return list; /* grows when n is 0 or a power of two */
     return must(realloc(list, size * (n ? 2 * (size_t)n : 1)));
 }
 
-char *text_of(const char *format, ...)
+char *must_text(const char *format, ...)
 {
     char *text = NULL;
     va_list args;

@@ -8,9 +8,9 @@ void *must(void *memory);
 
 /* Room for one more element of `size` bytes behind n; list is NULL at first, and owned by the
  * caller. */
-void *one_more(void *list, int n, size_t size);
+void *must_grow(void *list, int n, size_t size);
 
 /* The formatted text in memory that the caller owns. */
-char *text_of(const char *format, ...) __attribute__((format(printf, 1, 2)));
+char *must_text(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 #endif

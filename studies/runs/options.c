@@ -8,24 +8,24 @@
 
 enum { MOST_OPTIONS = 32, FIRST = 1000 }; /* getopt's values count from FIRST: no letter, no ':' */
 
-int refuse(Fault *fault, const char *what, const char *got, const char *takes,
-           const char *const *names, int n)
+int option_refuse(Fault *fault, const char *what, const char *got, const char *takes,
+                  const char *const *names, int n)
 {
-    const char *near = n > 0 ? nearest_name(got, names, n) : NULL;
+    const char *near = n > 0 ? fault_nearest_name(got, names, n) : NULL;
     return fault_set(fault, FAULT_USAGE, "%s: got '%.80s', takes %s%s%s%s", what, got, takes,
                      near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
 }
 
-int whole_parse(const char *option, const char *text, int high, int *value, Fault *fault)
+int option_whole(const char *option, const char *text, int high, int *value, Fault *fault)
 {
     double x;
-    if (number_parse(text, &x) == 0 && x >= 1 && x <= high && x == (int)x) {
+    if (info_number_parse(text, &x) == 0 && x >= 1 && x <= high && x == (int)x) {
         *value = (int)x;
         return 0;
     }
     char takes[64];
     snprintf(takes, sizeof takes, "a whole number from 1 to %d", high);
-    return refuse(fault, option, text, takes, NULL, 0);
+    return option_refuse(fault, option, text, takes, NULL, 0);
 }
 
 static int count(const Option *options)
@@ -44,7 +44,7 @@ static int refuse_option(const Option *options, const char *text, Fault *fault)
     names[n] = "help";
     snprintf(name, sizeof name, "%.*s", (int)strcspn(text, "="), text);
     return fault_set(fault, FAULT_USAGE, "unknown option '%s'; did you mean '--%s'?", name,
-                     nearest_name(name + strspn(name, "-"), names, n + 1));
+                     fault_nearest_name(name + strspn(name, "-"), names, n + 1));
 }
 
 int options_read(int argc, char **argv, const Option *options, TakeOption take, void *into,

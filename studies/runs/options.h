@@ -24,10 +24,10 @@ int options_read(int argc, char **argv, const Option *options, TakeOption take, 
 void options_help(const Option *options, FILE *out);
 
 /* "what: got 'got', takes takes", and the nearest of the n names (NULL-safe, n may be 0). */
-int refuse(Fault *fault, const char *what, const char *got, const char *takes,
-           const char *const *names, int n);
+int option_refuse(Fault *fault, const char *what, const char *got, const char *takes,
+                  const char *const *names, int n);
 
-/* A whole number in [1, high] as text; 0, or refuse()s in the name of --option. */
-int whole_parse(const char *option, const char *text, int high, int *value, Fault *fault);
+/* A whole number in [1, high] as text; 0, or option_refuse()s in the name of --option. */
+int option_whole(const char *option, const char *text, int high, int *value, Fault *fault);
 
 #endif

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include "memory.h"
 
-const Option run_options[] = {
+const Option run_args_options[] = {
     {"method", "M", "how particles and grid exchange information (default gimp)"},
     {"cells", "N", "cells per unit length"},
     {"ppc", "P", "particles per cell"},
@@ -66,14 +66,14 @@ static int gather(const Info *const *list, const char *names[], int n, int max)
     return n;
 }
 
-int problem_names(const char *names[], int max)
+int engine_problem_names(const char *names[], int max)
 {
     int n = 0;
     for (const Engine *const *e = engines; *e; e++) n = gather((*e)->problems, names, n, max);
     return n;
 }
 
-int method_names(const char *names[], int max)
+int engine_method_names(const char *names[], int max)
 {
     int n = 0;
     for (const Engine *const *e = engines; *e; e++) n = gather((*e)->methods, names, n, max);
@@ -85,20 +85,22 @@ static int name_check(const char *what, const char *takes, const char *got,
 {
     for (int k = 0; k < n; k++)
         if (strcmp(names[k], got) == 0) return 0;
-    return refuse(fault, what, got, takes, names, n);
+    return option_refuse(fault, what, got, takes, names, n);
 }
 
-int method_check(const char *option, const char *name, Fault *fault)
+int engine_check_method(const char *option, const char *name, Fault *fault)
 {
     const char *names[MOST_NAMES];
-    return name_check(option, "a method", name, names, method_names(names, MOST_NAMES), fault);
+    return name_check(option, "a method", name, names, engine_method_names(names, MOST_NAMES),
+                      fault);
 }
 
 static int take_problem(RunSpec *spec, const char *got, Fault *fault)
 {
     const char *names[MOST_NAMES];
-    if (spec->problem[0]) return refuse(fault, "PROBLEM", got, "one problem only", NULL, 0);
-    if (name_check("PROBLEM", "a problem", got, names, problem_names(names, MOST_NAMES), fault))
+    if (spec->problem[0]) return option_refuse(fault, "PROBLEM", got, "one problem only", NULL, 0);
+    if (name_check("PROBLEM", "a problem", got, names, engine_problem_names(names, MOST_NAMES),
+                   fault))
         return FAULT_USAGE;
     snprintf(spec->problem, sizeof spec->problem, "%s", got);
     return 0;
@@ -108,14 +110,14 @@ static int take_problem(RunSpec *spec, const char *got, Fault *fault)
 static int take_integrator(RunSpec *spec, const char *got, Fault *fault)
 {
     if (!*got || strlen(got) >= sizeof spec->integrator)
-        return refuse(fault, "--integrator", got, "an integrator's name", NULL, 0);
+        return option_refuse(fault, "--integrator", got, "an integrator's name", NULL, 0);
     strcpy(spec->integrator, got);
     return 0;
 }
 
 static int take_method(RunSpec *spec, const char *got, Fault *fault)
 {
-    if (method_check("--method", got, fault)) return FAULT_USAGE;
+    if (engine_check_method("--method", got, fault)) return FAULT_USAGE;
     snprintf(spec->method, sizeof spec->method, "%s", got);
     return 0;
 }
@@ -125,8 +127,8 @@ static int take_number(RunSpec *spec, const struct Number *n, const char *got, F
     char option[32];
     double x;
     snprintf(option, sizeof option, "--%s", n->option);
-    if (number_parse(got, &x) || x <= 0 || x > n->high || (n->whole && x != (double)(long)x))
-        return refuse(fault, option, got, n->takes, NULL, 0);
+    if (info_number_parse(got, &x) || x <= 0 || x > n->high || (n->whole && x != (double)(long)x))
+        return option_refuse(fault, option, got, n->takes, NULL, 0);
     memcpy((char *)spec + n->at, &x, sizeof x);
     return 0;
 }
@@ -141,8 +143,8 @@ static bool is_same_file(const char *a, const char *b)
                s.st_ino == t.st_ino;
     const char *base_a = strrchr(a, '/'), *base_b = strrchr(b, '/');
     if (strcmp(base_a ? base_a + 1 : a, base_b ? base_b + 1 : b) != 0) return false;
-    char *dir_a = text_of("%.*s.", base_a ? (int)(base_a - a) + 1 : 0, a);
-    char *dir_b = text_of("%.*s.", base_b ? (int)(base_b - b) + 1 : 0, b);
+    char *dir_a = must_text("%.*s.", base_a ? (int)(base_a - a) + 1 : 0, a);
+    char *dir_b = must_text("%.*s.", base_b ? (int)(base_b - b) + 1 : 0, b);
     const bool same = stat(dir_a, &s) == 0 && stat(dir_b, &t) == 0 && s.st_dev == t.st_dev &&
                       s.st_ino == t.st_ino;
     free(dir_a);
@@ -180,9 +182,9 @@ static int take(void *into, const char *name, const char *got, Fault *fault)
     case 's':
         return spec_set(spec, got, fault);
     case 't':
-        return whole_parse("--threads", got, 1024, &spec->threads, fault);
+        return option_whole("--threads", got, 1024, &spec->threads, fault);
     case 'e':
-        return whole_parse("--every", got, 1000000000, &spec->every, fault);
+        return option_whole("--every", got, 1000000000, &spec->every, fault);
     default:
         args->quiet = true;
         return 0;
@@ -192,7 +194,7 @@ static int take(void *into, const char *name, const char *got, Fault *fault)
 int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault)
 {
     *args = (RunArgs){.csv = NULL};
-    int code = options_read(argc, argv, run_options, take, args, fault);
+    int code = options_read(argc, argv, run_args_options, take, args, fault);
     if (code) return code;
     if (!args->spec.problem[0])
         return fault_set(fault, FAULT_USAGE,
@@ -208,7 +210,7 @@ static bool names_files(const RunSpec *s)
            s->vtk;
 }
 
-int run_text_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault)
+int run_args_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault)
 {
     enum { MOST_WORDS = 96 };
     char words[SPEC_TEXT], *argv[MOST_WORDS + 1] = {0}, *rest = NULL;

@@ -12,20 +12,20 @@ typedef struct RunArgs {
     bool quiet;
 } RunArgs;
 
-extern const Option run_options[];
+extern const Option run_args_options[];
 
 /* Reads argv[1..]: PROBLEM and options. Texts in args->spec point into argv. 0 or a fault. */
 int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault);
 
 /* Reads a text "run bar --ppc 2" (no quotes in it) and resolves it; refuses options with files,
  * whose names would not outlive the text. */
-int run_text_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault);
+int run_args_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault);
 
 /* The names that any engine knows, each once; at most max. How many. */
-int problem_names(const char *names[], int max);
-int method_names(const char *names[], int max);
+int engine_problem_names(const char *names[], int max);
+int engine_method_names(const char *names[], int max);
 
 /* Takes a method's name, or refuses it with the nearest one. */
-int method_check(const char *option, const char *name, Fault *fault);
+int engine_check_method(const char *option, const char *name, Fault *fault);
 
 #endif

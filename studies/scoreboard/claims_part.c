@@ -17,7 +17,7 @@ void page_counts(const Page *page)
     fputs("<p>", page->f);
     for (Verdict v = PASS; v <= NOT_RUN && page->claims->n; v++)
         fprintf(page->f, "%s<span class=\"v %s\">%d %s</span>", v ? " &middot; " : "",
-                verdict_name(v), count(page, "", v), verdict_name(v));
+                claim_verdict_name(v), count(page, "", v), claim_verdict_name(v));
     fputs("</p>\n", page->f);
 }
 
@@ -45,12 +45,12 @@ void page_papers(const Page *page)
     fputs("<details open><summary>What differs or fails, and why</summary>\n<ul>\n", f);
     for (const Claim *c = page->claims->list; c < page->claims->list + page->claims->n; c++) {
         if (c->verdict != DIFFERS && c->verdict != FAIL) continue;
-        fprintf(f, "<li><span class=\"v %s\">%s</span> ", verdict_name(c->verdict),
-                verdict_name(c->verdict));
+        fprintf(f, "<li><span class=\"v %s\">%s</span> ", claim_verdict_name(c->verdict),
+                claim_verdict_name(c->verdict));
         fprintf(f, "<a href=\"#%s\">%s</a> ", c->study->name, c->study->figure);
-        html_text(f, c->statement);
+        page_text(f, c->statement);
         fprintf(f, ": %.4g. <span class=\"soft\">", c->measured);
-        html_element(f, "", c->reason, "</span></li>\n");
+        page_element(f, "", c->reason, "</span></li>\n");
     }
     fputs("</ul>\n</details>\n", f);
 }
@@ -61,7 +61,8 @@ void page_verdicts(const Page *page)
         fprintf(page->f,
                 "<button type=\"button\" class=\"%s\" data-verdict=\"%s\" aria-pressed=\"true\">"
                 "%s %d</button>\n",
-                verdict_name(v), verdict_name(v), verdict_name(v), count(page, "", v));
+                claim_verdict_name(v), claim_verdict_name(v), claim_verdict_name(v),
+                count(page, "", v));
 }
 
 void page_figure_names(const Page *page)
@@ -82,15 +83,15 @@ static void number(FILE *f, double x)
         fprintf(f, "%.4g", x);
 }
 
-void html_claim(FILE *f, const Claim *c)
+void page_html_claim(FILE *f, const Claim *c)
 {
-    const char *verdict = verdict_name(c->verdict);
+    const char *verdict = claim_verdict_name(c->verdict);
     fprintf(f, "<tr data-verdict=\"%s\" data-figure=\"%s\"><td class=\"v %s\">%s</td>", verdict,
             c->study->figure, verdict, verdict);
     fprintf(f, "<td><a href=\"#%s\">", c->study->name);
-    html_element(f, "", c->id, "</a></td>");
-    html_element(f, "<td>", c->statement, "");
-    if (c->reason[0]) html_element(f, "<br><span class=\"soft\">", c->reason, "</span>");
+    page_element(f, "", c->id, "</a></td>");
+    page_element(f, "<td>", c->statement, "");
+    if (c->reason[0]) page_element(f, "<br><span class=\"soft\">", c->reason, "</span>");
     fputs("</td><td class=\"n\" data-label=\"measured\">", f);
     number(f, c->measured);
     fputs("</td><td class=\"n\" data-label=\"expected\">", f);
@@ -102,5 +103,5 @@ void html_claim(FILE *f, const Claim *c)
 
 void page_claims(const Page *page)
 {
-    for (int k = 0; k < page->claims->n; k++) html_claim(page->f, &page->claims->list[k]);
+    for (int k = 0; k < page->claims->n; k++) page_html_claim(page->f, &page->claims->list[k]);
 }

@@ -12,7 +12,7 @@ enum { LARGE = 120000 }; /* bytes of a drawing that may be better as pixels */
 static long size_of(const Page *page, const char *name, const char *ending)
 {
     struct stat s;
-    char *path = text_of("%s/%s.%s", page->dir, name, ending);
+    char *path = must_text("%s/%s.%s", page->dir, name, ending);
     const long size = stat(path, &s) == 0 ? (long)s.st_size : 0;
     free(path);
     return size;
@@ -36,10 +36,10 @@ static void picture(const Page *page, const char *name, const char *about)
 {
     const long svg = size_of(page, name, "svg"), png = size_of(page, name, "png");
     const bool pixels = png > 0 && (svg == 0 || (svg > LARGE && png < svg));
-    char *path = text_of("%s/%s.%s", page->dir, name, pixels ? "png" : "svg");
+    char *path = must_text("%s/%s.%s", page->dir, name, pixels ? "png" : "svg");
     FILE *in = svg || png ? fopen(path, "rb") : NULL;
     if (in) {
-        html_element(page->f, "<img alt=\"", about, "\" src=\"data:image/");
+        page_element(page->f, "<img alt=\"", about, "\" src=\"data:image/");
         fprintf(page->f, "%s;base64,", pixels ? "png" : "svg+xml");
         put_base64(page->f, in);
         fputs("\">\n", page->f);
@@ -57,7 +57,7 @@ static void figure_claims(const Page *page, const Study *study)
             fputs("<table class=\"stack\"><thead><tr><th>verdict</th><th>claim</th><th>statement"
                   "</th><th>measured</th><th>expected</th></tr></thead><tbody>\n",
                   page->f);
-        html_claim(page->f, c);
+        page_html_claim(page->f, c);
     }
     if (rows) fputs("</tbody></table>\n", page->f);
 }
@@ -65,14 +65,14 @@ static void figure_claims(const Page *page, const Study *study)
 static void fact(FILE *f, const char *name, const char *value)
 {
     if (!value) return;
-    html_element(f, "<dt>", name, "</dt><dd>");
-    html_element(f, "", value, "</dd>\n");
+    page_element(f, "<dt>", name, "</dt><dd>");
+    page_element(f, "", value, "</dd>\n");
 }
 
 static void sidecar(const Page *page, const char *name)
 {
     static const char *const facts[] = {"version", "compiler", "flags", "sources", "checksum"};
-    char *path = text_of("%s/%s.json", page->dir, name);
+    char *path = must_text("%s/%s.json", page->dir, name);
     json_t *json = json_load_file(path, 0, NULL), *dt = json_object_get(json, "dt");
     free(path);
     if (!json) return;
@@ -87,7 +87,7 @@ static void sidecar(const Page *page, const char *name)
                 json_number_value(json_object_get(dt, "min")),
                 json_number_value(json_object_get(dt, "max")));
         const char *definition = json_string_value(json_object_get(dt, "definition"));
-        html_element(page->f, "", definition ? definition : "", "</dd>\n");
+        page_element(page->f, "", definition ? definition : "", "</dd>\n");
     }
     fact(page->f, "first run",
          json_string_value(json_array_get(json_object_get(json, "inputs"), 0)));
@@ -104,8 +104,8 @@ static void link_to(const Page *page, const char *name, const char *ending)
 static void card(const Page *page, const Study *s, const char *command)
 {
     fprintf(page->f, "<article class=\"card\" id=\"%s\">\n<h3>", s->name);
-    html_element(page->f, "", s->figure, "</h3>\n");
-    html_element(page->f, "<p>", s->about, "</p>\n");
+    page_element(page->f, "", s->figure, "</h3>\n");
+    page_element(page->f, "<p>", s->about, "</p>\n");
     picture(page, s->name, s->about);
     page_prices(page, s->name);
     figure_claims(page, s);
@@ -117,7 +117,7 @@ static void card(const Page *page, const Study *s, const char *command)
     link_to(page, s->name, "json");
     link_to(page, s->name, "svg");
     link_to(page, s->name, "png");
-    html_element(page->f, "&middot; again: <code>", command, "</code></p>\n</article>\n");
+    page_element(page->f, "&middot; again: <code>", command, "</code></p>\n</article>\n");
 }
 
 void page_figures(const Page *page)
@@ -126,7 +126,7 @@ void page_figures(const Page *page)
                                 .figure = "T-3",
                                 .about = "speed: CPU time and instructions of one particle-step"};
     for (const Study *const *s = studies; *s; s++) {
-        char *command = text_of("build/mpmlab study %s", (*s)->name);
+        char *command = must_text("build/mpmlab study %s", (*s)->name);
         if (size_of(page, (*s)->name, "csv")) card(page, *s, command);
         free(command);
     }

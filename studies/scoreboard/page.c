@@ -10,7 +10,7 @@
 #include "parts.h"
 #include "studies/engine/plot.h"
 
-void html_text(FILE *f, const char *text)
+void page_text(FILE *f, const char *text)
 {
     static const char special[] = "<>&\"";
     static const char *const names[] = {"&lt;", "&gt;", "&amp;", "&quot;"};
@@ -23,18 +23,18 @@ void html_text(FILE *f, const char *text)
     }
 }
 
-void html_element(FILE *f, const char *open, const char *text, const char *close)
+void page_element(FILE *f, const char *open, const char *text, const char *close)
 {
     fputs(open, f);
-    html_text(f, text);
+    page_text(f, text);
     fputs(close, f);
 }
 
 static void build_facts(const Page *page)
 {
-    html_element(page->f, "<p class=\"soft\">", FACT_VERSION, " &middot; ");
-    html_element(page->f, "", FACT_COMPILER, " &middot; ");
-    html_element(page->f, "", FACT_FLAGS, "</p>\n");
+    page_element(page->f, "<p class=\"soft\">", FACT_VERSION, " &middot; ");
+    page_element(page->f, "", FACT_COMPILER, " &middot; ");
+    page_element(page->f, "", FACT_FLAGS, "</p>\n");
 }
 
 static const struct Part {
@@ -60,7 +60,7 @@ static void write_line(const Page *page, const char *line)
 
 static FILE *open_template(Fault *fault)
 {
-    char *plots = plots_folder(), *path = text_of("%s/page.html", plots ? plots : "plots");
+    char *plots = plot_folder(), *path = must_text("%s/page.html", plots ? plots : "plots");
     FILE *f = fopen(path, "r");
     if (!f) fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
     free(path);
@@ -70,7 +70,7 @@ static FILE *open_template(Fault *fault)
 
 int page_write(const Check *claims, const char *dir, Fault *fault)
 {
-    char *path = text_of("%s/index.html", dir), line[1024];
+    char *path = must_text("%s/index.html", dir), line[1024];
     FILE *template = open_template(fault);
     Page page = {template ? file_begin(path, fault) : NULL, claims, dir};
     int code = FAULT_MACHINE;

@@ -25,8 +25,8 @@ void page_prices(const Page *page, const char *name);
 
 const char *method_label(const char *method); /* "GE-GIMP", from any dimension; or itself */
 
-void html_text(FILE *f, const char *text); /* escaped */
-void html_element(FILE *f, const char *open, const char *text, const char *close);
-void html_claim(FILE *f, const Claim *c); /* a table's row */
+void page_text(FILE *f, const char *text); /* escaped */
+void page_element(FILE *f, const char *open, const char *text, const char *close);
+void page_html_claim(FILE *f, const Claim *c); /* a table's row */
 
 #endif

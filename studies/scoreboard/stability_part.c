@@ -22,11 +22,11 @@ typedef struct Sheets {
 
 static void sheets_read(Sheets *s, const char *dir)
 {
-    *s = (Sheets){.safe = part_read(dir, "t_04_stability", "safe", NULL),
-                  .pairs = part_read(dir, "t_05_compatibility", "grid", NULL)};
+    *s = (Sheets){.safe = table_read_part(dir, "t_04_stability", "safe", NULL),
+                  .pairs = table_read_part(dir, "t_05_compatibility", "grid", NULL)};
     for (const Study *const *study = studies; *study && s->n < SHEETS; study++) {
-        Sheet one = {*study, part_read(dir, (*study)->name, "grades", NULL),
-                     part_read(dir, (*study)->name, "remedies", NULL)};
+        Sheet one = {*study, table_read_part(dir, (*study)->name, "grades", NULL),
+                     table_read_part(dir, (*study)->name, "remedies", NULL)};
         if (one.grades || one.remedies) s->list[s->n++] = one;
     }
 }
@@ -49,7 +49,7 @@ static bool is(const Table *t, int row, const char *column, const char *value)
 static Mark mark_read(const char *word)
 {
     for (Mark m = MARK_OK; m < MARKS; m++)
-        if (strcmp(word, mark_names[m]) == 0) return m;
+        if (strcmp(word, grade_mark_names[m]) == 0) return m;
     return MARK_LOST;
 }
 
@@ -63,7 +63,7 @@ static void safe_steps(FILE *f, const Table *t, const char *method)
             if (!is(t, row, "method", method) || table_number(t, row, "dim") != dim) continue;
             if (here == 0)
                 fprintf(f, "%s<span class=\"soft\">%dD</span> ", found ? "<br>" : "", dim);
-            html_element(f, here ? ", " : "", table_text(t, row, "integrator"), " ");
+            page_element(f, here ? ", " : "", table_text(t, row, "integrator"), " ");
             fprintf(f, "%.2g", table_number(t, row, "safe_cfl"));
             here++, found++;
         }
@@ -71,7 +71,7 @@ static void safe_steps(FILE *f, const Table *t, const char *method)
     if (!found) fputs("&ndash;", f);
     for (int row = 0; t && row < t->nrow; row++)
         if (is(t, row, "method", method) && table_text(t, row, "first_failure")[0]) {
-            html_element(f, "<br><span class=\"soft\">then ", table_text(t, row, "first_failure"),
+            page_element(f, "<br><span class=\"soft\">then ", table_text(t, row, "first_failure"),
                          "</span>");
             break;
         }
@@ -84,9 +84,9 @@ static void marks(FILE *f, const Sheets *s, const char *method)
         for (int row = 0; one->grades && row < one->grades->nrow; row++) {
             if (!is(one->grades, row, "method", method)) continue;
             const Mark m = mark_read(table_text(one->grades, row, "grade"));
-            fprintf(f, "<a class=\"m %s\" href=\"#%s\"", mark_names[m], one->study->name);
-            html_element(f, " title=\"", table_text(one->grades, row, "note"), "\">");
-            html_element(f, "", table_text(one->grades, row, "case"), " ");
+            fprintf(f, "<a class=\"m %s\" href=\"#%s\"", grade_mark_names[m], one->study->name);
+            page_element(f, " title=\"", table_text(one->grades, row, "note"), "\">");
+            page_element(f, "", table_text(one->grades, row, "case"), " ");
             fprintf(f, "%s</a>", signs[m]);
         }
 }
@@ -109,9 +109,9 @@ static void first_break(FILE *f, const Sheets *s, const char *method)
         fputs("nothing tried here", f);
         return;
     }
-    html_element(f, "<b>", table_text(found->grades, at, "case"), "</b>");
+    page_element(f, "<b>", table_text(found->grades, at, "case"), "</b>");
     fputs(worst == MARK_WEAK ? " (weak): " : ": ", f);
-    html_text(f, table_text(found->grades, at, "note"));
+    page_text(f, table_text(found->grades, at, "note"));
 }
 
 /* How a pair of T-5 went: 0 best, 3 lost; -1: not tried. */
@@ -141,11 +141,11 @@ static void helps(FILE *f, const Sheets *s, const char *method)
             if (!is(t, row, "method", method)) continue;
             if (mark_read(table_text(t, row, "after")) >= mark_read(table_text(t, row, "before")))
                 continue;
-            html_element(f, n++ ? "<br><code>" : "<code>", table_text(t, row, "remedy"),
+            page_element(f, n++ ? "<br><code>" : "<code>", table_text(t, row, "remedy"),
                          "</code> ");
-            html_element(f, "<span class=\"soft\">", table_text(t, row, "case"), ": ");
-            html_element(f, "", table_text(t, row, "before"), " &rarr; ");
-            html_element(f, "", table_text(t, row, "after"), "</span>");
+            page_element(f, "<span class=\"soft\">", table_text(t, row, "case"), ": ");
+            page_element(f, "", table_text(t, row, "before"), " &rarr; ");
+            page_element(f, "", table_text(t, row, "after"), "</span>");
         }
     if (n == 0) fputs("&ndash;", f);
 }
@@ -160,7 +160,7 @@ static bool is_graded(const Sheets *s, const char *method)
 
 static void method_row(FILE *f, const Sheets *s, const char *method)
 {
-    html_element(f, "<tr><th>", method_label(method), "</th><td data-label=\"safe CFL:\">");
+    page_element(f, "<tr><th>", method_label(method), "</th><td data-label=\"safe CFL:\">");
     safe_steps(f, s->safe, method);
     fputs("</td><td data-label=\"breaks first:\">", f);
     first_break(f, s, method);
@@ -176,7 +176,7 @@ void page_stability(const Page *page)
     Sheets s;
     const char *names[METHODS];
     sheets_read(&s, page->dir);
-    const int n = method_names(names, METHODS);
+    const int n = engine_method_names(names, METHODS);
     if (s.n == 0)
         fputs("<p>Not run yet: <code>build/mpmlab study all</code></p>\n", page->f);
     else

@@ -12,7 +12,7 @@ enum { TARGETS = 3 };
 
 static Table *costs_read(const Page *page, const char *name)
 {
-    return part_read(page->dir, name, "reach", NULL);
+    return table_read_part(page->dir, name, "reach", NULL);
 }
 
 const char *method_label(const char *method)
@@ -80,7 +80,7 @@ static void seconds(FILE *f, const Table *t, int row)
 /* "GIMP, fitted, 4 per cell, N = 20" */
 static void options(FILE *f, const Table *t, int row)
 {
-    html_text(f, method_label(table_text(t, row, "method")));
+    page_text(f, method_label(table_text(t, row, "method")));
     fputs("</b> <span class=\"soft\">", f);
     if (has_particles(t, row))
         fprintf(f, "%s, %.2g per cell, %s, ", is(t, row, "layout", "radial") ? "fitted" : "lattice",
@@ -101,8 +101,8 @@ static void answer(FILE *f, const Table *t, int row)
 
 static void problem_row(FILE *f, const Table *t, const char *problem)
 {
-    html_element(f, "<tr><th>", problem, "<br><span class=\"soft\">");
-    html_element(f, "", title_of(problem), "</span></th>");
+    page_element(f, "<tr><th>", problem, "<br><span class=\"soft\">");
+    page_element(f, "", title_of(problem), "</span></th>");
     for (int k = 0; k < TARGETS; k++) {
         const int particles = cheapest(t, problem, targets[k], true);
         const int mesh = cheapest(t, problem, targets[k], false);
@@ -149,8 +149,8 @@ void page_prices(const Page *page, const char *name)
           "</th><th>1e-4</th></tr>\n",
           page->f);
     for (int row = 0; row + TARGETS <= t->nrow; row += TARGETS) {
-        html_element(page->f, "<tr><td>", table_text(t, row, "problem"), "</td><td>");
-        html_element(page->f, "", method_label(table_text(t, row, "method")), "</td>");
+        page_element(page->f, "<tr><td>", table_text(t, row, "problem"), "</td><td>");
+        page_element(page->f, "", method_label(table_text(t, row, "method")), "</td>");
         for (int k = 0; k < TARGETS; k++) {
             fputs("<td class=\"n\">", page->f);
             seconds(page->f, t, row + k);

@@ -50,7 +50,7 @@ static Measure one(int found, double value)
     return measure(found ? value : NAN, found && !isnan(value), 1);
 }
 
-Measure value_pick(const Table *rows, const char *want, const char *where, ...)
+Measure select_value(const Table *rows, const char *want, const char *where, ...)
 {
     double x, y = NAN;
     va_list args;
@@ -60,7 +60,7 @@ Measure value_pick(const Table *rows, const char *want, const char *where, ...)
     return one(found, y);
 }
 
-Measure ended_pick(const Table *rows, const char *want, const char *where, ...)
+Measure select_ended_value(const Table *rows, const char *want, const char *where, ...)
 {
     double x, y = NAN;
     va_list args;
@@ -70,7 +70,7 @@ Measure ended_pick(const Table *rows, const char *want, const char *where, ...)
     return one(found, y);
 }
 
-double row_setting(const Table *rows, int row, const char *setting)
+double select_setting(const Table *rows, int row, const char *setting)
 {
     const size_t n = strlen(setting);
     double value = NAN;
@@ -121,7 +121,7 @@ double order_of_all(int n, const double x[], const double y[])
 {
     for (int k = 0; k < n; k++)
         if (!(x[k] > 0 && y[k] > 0 && isfinite(x[k]) && isfinite(y[k]))) return NAN;
-    return order_fit(n, x, y, NULL);
+    return table_order_fit(n, x, y, NULL);
 }
 
 Measure curve_order(const Curve *c, double from, double to, int needs)
@@ -143,14 +143,14 @@ bool method_known(const char *name)
     return false;
 }
 
-double median(int n, double y[])
+double select_median(int n, double y[])
 {
     if (n < 1) return NAN;
     gsl_sort(y, 1, (size_t)n);
     return gsl_stats_median_from_sorted_data(y, 1, (size_t)n);
 }
 
-bool is_lost(const Table *rows, int row)
+bool select_is_lost(const Table *rows, int row)
 {
     const char *status = table_text(rows, row, "status");
     return strcmp(status, "ok") != 0 && strcmp(status, "energy_growth") != 0;
@@ -164,26 +164,14 @@ Measure count_lost(const Table *rows, int needs, const char *where)
     snprintf(text, sizeof text, "%s", where);
     const int n = split(text, conditions);
     for (int row = 0; row < rows->nrow; row++)
-        if (row_matches(rows, row, n, conditions)) add_sum(&lost, is_lost(rows, row));
+        if (row_matches(rows, row, n, conditions)) add_sum(&lost, select_is_lost(rows, row));
     return lost;
 }
 
 double kept_number(const Table *rows, int row, const char *want)
 {
-    if (table_column(rows, "status") >= 0 && is_lost(rows, row)) return NAN;
+    if (table_column(rows, "status") >= 0 && select_is_lost(rows, row)) return NAN;
     return table_number(rows, row, want);
-}
-
-void part_path(char path[PATH_TEXT], const char *dir, const char *name, const char *part)
-{
-    snprintf(path, PATH_TEXT, "%s/%s%s%s.csv", dir, name, part ? "." : "", part ? part : "");
-}
-
-Table *part_read(const char *dir, const char *name, const char *part, Fault *fault)
-{
-    char path[PATH_TEXT];
-    part_path(path, dir, name, part);
-    return table_read(path, fault);
 }
 
 void squeeze_add(Cases *list, const char *method, const char *field, int cells, int step,

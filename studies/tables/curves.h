@@ -32,37 +32,30 @@ Measure curve_order(const Curve *c, double from, double to, int needs);
 double order_of_all(int n, const double x[], const double y[]);
 
 /* The first such row's number in column `want`: one row. None if its run was lost. */
-Measure value_pick(const Table *rows, const char *want, const char *where, ...)
+Measure select_value(const Table *rows, const char *want, const char *where, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* The same, of a run that was lost, too: how far it got, how it ended. */
-Measure ended_pick(const Table *rows, const char *want, const char *where, ...)
+Measure select_ended_value(const Table *rows, const char *want, const char *where, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* The number of a setting in the row's params; NAN if it is not there or a word. */
-double row_setting(const Table *rows, int row, const char *setting);
+double select_setting(const Table *rows, int row, const char *setting);
 
 /* Is this a method (or FEM) of the plane? */
 bool method_known(const char *name);
 
 /* Median of y[n] (GSL); sorts y. NAN of nothing. */
-double median(int n, double y[]);
+double select_median(int n, double y[]);
 
 /* Did the run of this row end before its time? Energy growth alone does not end one. */
-bool is_lost(const Table *rows, int row);
+bool select_is_lost(const Table *rows, int row);
 
 /* How many runs of those rows were lost, of `needs` that there must be. */
 Measure count_lost(const Table *rows, int needs, const char *where);
 
 /* A number of a row; NAN if its run was lost (tables without a column `status` know of none). */
 double kept_number(const Table *rows, int row, const char *want);
-
-/* Opens dir/NAME.PART.csv, which a run or tables() left there. NULL and a fault if it cannot. */
-Table *part_read(const char *dir, const char *name, const char *part, Fault *fault);
-
-/* dir/NAME.PART.csv, or dir/NAME.csv if part is NULL. */
-enum { PATH_TEXT = 4096 };
-void part_path(char path[PATH_TEXT], const char *dir, const char *name, const char *part);
 
 /* The squeeze from 0.5 to 10 particles per cell, `step` particles apart (quick: 25 times that). */
 void squeeze_add(Cases *list, const char *method, const char *field, int cells, int step,

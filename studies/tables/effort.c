@@ -24,9 +24,9 @@ static double instructions(const Table *bench, const Effort *e)
     RunSpec spec;
     if (!bench || !is_planar(e->problem)) return NAN;
     snprintf(text, sizeof text, "run %s --method %s", e->problem, e->method);
-    if (run_text_resolve(text, &spec, &engine, NULL) || strcmp(spec.integrator, e->integrator) != 0)
+    if (run_args_resolve(text, &spec, &engine, NULL) || strcmp(spec.integrator, e->integrator) != 0)
         return NAN;
-    return value_pick(bench, "instructions_avx2", "case=%s", e->method).value;
+    return select_value(bench, "instructions_avx2", "case=%s", e->method).value;
 }
 
 /* The number of the points that the run moved, times its steps. */
@@ -44,7 +44,7 @@ static bool is_repeat(const Table *t, int row, int other)
                                        "error_linf", "cells",  "ppc"};
     for (size_t k = 0; k < sizeof same / sizeof *same; k++)
         if (strcmp(table_text(t, row, same[k]), table_text(t, other, same[k])) != 0) return false;
-    return !is_lost(t, other);
+    return !select_is_lost(t, other);
 }
 
 static Effort point(const Table *t, int row, int repeats, const Table *bench)
@@ -65,7 +65,7 @@ static Effort point(const Table *t, int row, int repeats, const Table *bench)
         cpu[k] = table_number(t, row + k * apart, "cpu_s");
         whole = whole && cpu[k] > 0 && is_repeat(t, row, row + k * apart);
     }
-    e.median = median(n, cpu); /* sorts */
+    e.median = select_median(n, cpu); /* sorts */
     e.cpu = cpu[0];
     e.instructions = e.work * instructions(bench, &e);
     e.usable = whole && e.error > 0;
@@ -133,14 +133,14 @@ int effort_tables(const Table *rows, int repeats, const char *dir, const char *n
     snprintf(path, sizeof path, "%s/t_03_speed.csv", dir);
     Table *bench = table_read(path, NULL);
     for (int row = 0; row < rows->nrow / repeats; row++) {
-        all.list = one_more(all.list, all.n, sizeof *all.list);
+        all.list = must_grow(all.list, all.n, sizeof *all.list);
         all.list[all.n++] = point(rows, row, repeats, bench);
     }
     mark_fronts(&all);
-    part_path(path, dir, name, "points");
+    table_part_path(path, dir, name, "points");
     int code = write_points(&all, path, fault);
-    part_path(path, dir, name, "reach");
-    if (code == 0) code = reach_write(&all, path, fault);
+    table_part_path(path, dir, name, "reach");
+    if (code == 0) code = effort_reach_write(&all, path, fault);
     table_free(bench);
     free(all.list);
     return code;

@@ -21,6 +21,6 @@ typedef struct Efforts {
 } Efforts;
 
 /* NAME.reach.csv. 0 or a fault. */
-int reach_write(const Efforts *all, const char *path, Fault *fault);
+int effort_reach_write(const Efforts *all, const char *path, Fault *fault);
 
 #endif

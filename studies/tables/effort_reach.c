@@ -119,7 +119,7 @@ static void write_cost(FILE *f, const Cost *c, double target)
     }
 }
 
-int reach_write(const Efforts *all, const char *path, Fault *fault)
+int effort_reach_write(const Efforts *all, const char *path, Fault *fault)
 {
     FILE *f = file_begin(path, fault);
     if (!f) return FAULT_MACHINE;

@@ -60,7 +60,7 @@ static int match(Files *f)
 void files_open(Files *f, const char *dir, const char *name)
 {
     const Study *study = find(name);
-    *f = (Files){.dir = dir, .name = name, .rows = part_read(dir, name, NULL, NULL)};
+    *f = (Files){.dir = dir, .name = name, .rows = table_read_part(dir, name, NULL, NULL)};
     for (int quick = 0; study && quick < 2; quick++) {
         cases_build(&f->cases, study, quick, NULL, dir, NULL);
         const int matched = match(f);
@@ -84,7 +84,7 @@ static const char *path_status(const Files *f, const char *path)
         const char *file = f->cases.list[k].file;
         if (!file || strcmp(file, path) != 0) continue;
         if (f->row[k] < 0) return "absent";
-        if (is_lost(f->rows, f->row[k])) return "lost";
+        if (select_is_lost(f->rows, f->row[k])) return "lost";
         status = "ok";
     }
     return status;
@@ -97,7 +97,7 @@ bool path_kept(const Files *f, const char *path)
 
 bool file_path(const Files *f, const char *part, char path[PATH_TEXT])
 {
-    part_path(path, f->dir, f->name, part);
+    table_part_path(path, f->dir, f->name, part);
     return path_kept(f, path);
 }
 
@@ -110,11 +110,11 @@ bool file_kept(const Files *f, const char *part)
 const char *file_status(const Files *f, const char *part)
 {
     char path[PATH_TEXT];
-    part_path(path, f->dir, f->name, part);
+    table_part_path(path, f->dir, f->name, part);
     return path_status(f, path);
 }
 
 Table *file_read(const Files *f, const char *part)
 {
-    return file_kept(f, part) ? part_read(f->dir, f->name, part, NULL) : NULL;
+    return file_kept(f, part) ? table_read_part(f->dir, f->name, part, NULL) : NULL;
 }

@@ -10,7 +10,7 @@
 #include "curves.h"
 
 typedef enum Mark { MARK_OK, MARK_WEAK, MARK_LOST, MARKS } Mark;
-extern const char *const mark_names[MARKS]; /* "ok" "weak" "lost" */
+extern const char *const grade_mark_names[MARKS]; /* "ok" "weak" "lost" */
 
 /* problems/block.c: wave speed in dt0 [m/s], and its CFL number. */
 #define BLOCK_SPEED 100.0
@@ -25,31 +25,31 @@ bool is_run(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Does it take a parameter of this name? */
 bool has_param(const Info *method, const char *name);
 
-/* Open dir/NAME.grades.csv, dir/NAME.remedies.csv; NULL and a fault. To be closed with hard_end,
+/* Open dir/NAME.grades.csv, dir/NAME.remedies.csv; NULL and a fault. To be closed with grades_end,
  * which takes NULL. */
 FILE *grades_begin(const char *dir, const char *name, Fault *fault);
-FILE *remedies_begin(const char *dir, const char *name, Fault *fault);
-int hard_end(FILE *f, const char *dir, const char *name, const char *part, Fault *fault);
+FILE *grades_remedies_begin(const char *dir, const char *name, Fault *fault);
+int grades_end(FILE *f, const char *dir, const char *name, const char *part, Fault *fault);
 
 /* Tables of a page: dir/NAME.PART.csv by `points` from the rows, then grades by `marks` from that.
  */
-int hard_tables(const char *dir, const char *name, const char *part,
-                void (*points)(FILE *f, const Table *rows),
-                void (*marks)(FILE *f, const Table *points), Fault *fault);
+int grades_tables(const char *dir, const char *name, const char *part,
+                  void (*points)(FILE *f, const Table *rows),
+                  void (*marks)(FILE *f, const Table *points), Fault *fault);
 
-void mark_add(FILE *f, const char *hard_case, const char *method, Mark grade, const char *note, ...)
-    __attribute__((format(printf, 5, 6)));
+void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, const char *note,
+               ...) __attribute__((format(printf, 5, 6)));
 
-void remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy, Mark before,
-                Mark after);
+void grade_remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy,
+                      Mark before, Mark after);
 
 /* MARK_OK while value <= ok, MARK_WEAK while <= weak; else, and if NAN, MARK_LOST. */
-Mark mark_of(double value, double ok, double weak);
+Mark grade_mark_of(double value, double ok, double weak);
 
 /* Largest of column `want` over the rows of these methods ("gimp wls") that also meet `where`
  * ("column=value ..."), `each` of them of every method; NAN if one of them has no such row, was
  * lost, or is NAN. */
-Measure worst_of(const Table *t, const char *methods, int each, const char *want,
-                 const char *where);
+Measure curve_worst_of_methods(const Table *t, const char *methods, int each, const char *want,
+                               const char *where);
 
 #endif

@@ -64,7 +64,7 @@ static int by_angle(const void *a, const void *b)
     return (x->angle > y->angle) - (x->angle < y->angle);
 }
 
-int rim_read(Rim *rim, const char *path, int cells, const HoleReference *r, Fault *fault)
+int hole_read(Rim *rim, const char *path, int cells, const HoleReference *r, Fault *fault)
 {
     Table *t = table_read(path, fault);
     if (!t) return FAULT_MACHINE;
@@ -93,7 +93,7 @@ int rim_read(Rim *rim, const char *path, int cells, const HoleReference *r, Faul
     return 0;
 }
 
-void rim_free(Rim *rim)
+void hole_free(Rim *rim)
 {
     free(rim->angle);
     *rim = (Rim){0};
@@ -104,14 +104,14 @@ static double off(const Rim *rim, int k)
     return rim->stress[k] - rim->reference[k];
 }
 
-double rim_rms(const Rim *rim)
+double hole_rms(const Rim *rim)
 {
     double sum = 0;
     for (int k = 0; k < rim->n; k++) sum += off(rim, k) * off(rim, k);
     return sqrt(sum / rim->n);
 }
 
-double rim_scatter(const Rim *rim)
+double hole_scatter(const Rim *rim)
 {
     double sum = 0;
     for (int k = 0; k < rim->n; k++) {
@@ -129,10 +129,10 @@ void rim_measure(const char *reference, int fine, const char *path, int cells, M
     HoleReference r;
     Rim rim;
     if (hole_reference_read(&r, reference, fine, NULL)) return;
-    if (rim_read(&rim, path, cells, &r, NULL) == 0) {
-        *rms = measure(rim_rms(&rim), rim.n, rms->needs);
-        *scatter = measure(rim_scatter(&rim), rim.n, scatter->needs);
-        rim_free(&rim);
+    if (hole_read(&rim, path, cells, &r, NULL) == 0) {
+        *rms = measure(hole_rms(&rim), rim.n, rms->needs);
+        *scatter = measure(hole_scatter(&rim), rim.n, scatter->needs);
+        hole_free(&rim);
     }
     hole_reference_free(&r);
 }

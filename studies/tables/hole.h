@@ -28,11 +28,11 @@ typedef struct Rim {
 } Rim;
 
 /* From a file that `--particles` or `--elements` wrote, h = 1/cells. 0 or a fault. */
-int rim_read(Rim *rim, const char *path, int cells, const HoleReference *r, Fault *fault);
-void rim_free(Rim *rim);
+int hole_read(Rim *rim, const char *path, int cells, const HoleReference *r, Fault *fault);
+void hole_free(Rim *rim);
 
-double rim_rms(const Rim *rim);     /* of stress less reference */
-double rim_scatter(const Rim *rim); /* rms of that about its mean of seven neighbours in angle */
+double hole_rms(const Rim *rim);     /* of stress less reference */
+double hole_scatter(const Rim *rim); /* rms of that about its mean of seven neighbours in angle */
 
 /* Both of a run of `cells` against the reference of `fine`, into measures that know how many points
  * they need. */

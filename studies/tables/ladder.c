@@ -7,9 +7,9 @@
 #include "studies/runs/memory.h"
 #include "curves.h"
 
-Grade row_grade(const Table *rows, int row)
+Grade ladder_row_grade(const Table *rows, int row)
 {
-    if (is_lost(rows, row)) return LOST;
+    if (select_is_lost(rows, row)) return LOST;
     return strcmp(table_text(rows, row, "status"), "ok") == 0 ? STABLE : GREW;
 }
 
@@ -54,7 +54,7 @@ static void add_rung(Ladder *l, const Table *rows, int row, Grade grade)
     l->grade[at] = grade;
 }
 
-int ladders_read(const Table *rows, Ladder **out)
+int ladder_read_all(const Table *rows, Ladder **out)
 {
     int n = 0, at = 0, column[INPUTS];
     *out = NULL;
@@ -63,10 +63,10 @@ int ladders_read(const Table *rows, Ladder **out)
     for (int row = 0; row < rows->nrow; row++) {
         at = find(*out, n, at, rows, column, row);
         if (at == n) {
-            *out = one_more(*out, n, sizeof **out);
+            *out = must_grow(*out, n, sizeof **out);
             (*out)[n++] = (Ladder){0};
         }
-        add_rung(&(*out)[at], rows, row, row_grade(rows, row));
+        add_rung(&(*out)[at], rows, row, ladder_row_grade(rows, row));
     }
     return n;
 }

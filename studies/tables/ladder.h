@@ -22,10 +22,10 @@ typedef struct Ladder {
 } Ladder;
 
 /* By the status of the row. */
-Grade row_grade(const Table *rows, int row);
+Grade ladder_row_grade(const Table *rows, int row);
 
 /* All ladders of a table in order of their first rows; the caller frees *out. How many. */
-int ladders_read(const Table *rows, Ladder **out);
+int ladder_read_all(const Table *rows, Ladder **out);
 
 /* The largest CFL number of a run that is at most `worst`, as all below it are; 0 if the lowest is
  * not. *first is the rung that is worse, or -1 if none is: then the limit is what was tried. */

@@ -44,7 +44,8 @@ int pair_of_row(const Table *rows, int row)
     return -1;
 }
 
-void integrator_default(const Engine *engine, const char *problem, const char *method, char out[16])
+void pair_default_integrator(const Engine *engine, const char *problem, const char *method,
+                             char out[16])
 {
     RunSpec spec;
     snprintf(out, 16, "%s",

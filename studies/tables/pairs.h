@@ -24,8 +24,8 @@ bool pair_is_run(const Engine *engine, const char *problem, const char *method, 
 int pair_of_row(const Table *rows, int row);
 
 /* What `--integrator` is if it is not given. */
-void integrator_default(const Engine *engine, const char *problem, const char *method,
-                        char out[16]);
+void pair_default_integrator(const Engine *engine, const char *problem, const char *method,
+                             char out[16]);
 
 /* A number among the params of a row (A=0.05;E=10000;...), or NAN. */
 double row_param(const Table *rows, int row, const char *name);

@@ -7,7 +7,7 @@
 static bool same_value(const char *a, const char *b)
 {
     double x, y;
-    if (number_parse(a, &x) == 0 && number_parse(b, &y) == 0) return x == y;
+    if (info_number_parse(a, &x) == 0 && info_number_parse(b, &y) == 0) return x == y;
     return strcmp(a, b) == 0;
 }
 
@@ -30,8 +30,8 @@ bool row_matches(const Table *t, int row, int n, const char *const where[])
     return true;
 }
 
-int rows_pick(const Table *t, int n, const char *const where[], const char *want, int max,
-              double out[])
+int select_rows(const Table *t, int n, const char *const where[], const char *want, int max,
+                double out[])
 {
     int found = 0;
     for (int row = 0; row < t->nrow && found < max; row++)

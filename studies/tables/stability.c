@@ -15,25 +15,25 @@ const Map stability_maps[MAPS] = {
     {&engine_1d, "sine_bar", {32, 40}, ALL, 0.02, {1, 2, 2.5, 4}, {1e-4, 0.01, 0.05}, 1, 1},
     {&engine_2d, "axis_mms", {8, 8}, CD_UVF, 0.02, {4, 9}, {0.01, 0.05}, 0, 0},
 };
-const double map_rungs[MAP_RUNGS] = {0.1, 0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6, 2};
+const double stability_rungs[MAP_RUNGS] = {0.1, 0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6, 2};
 
-bool map_is_usual(const Map *map, const char *method, Pair pair)
+bool stability_is_usual(const Map *map, const char *method, Pair pair)
 {
     char usual[16];
-    integrator_default(map->engine, map->problem, method, usual);
+    pair_default_integrator(map->engine, map->problem, method, usual);
     return !pair.refresh && strcmp(usual, pair.integrator) == 0;
 }
 
-bool map_has_pair(const Map *map, const char *method, int k)
+bool stability_has_pair(const Map *map, const char *method, int k)
 {
-    if (!(map->pairs >> k & 1) && !map_is_usual(map, method, pairs[k])) return false;
+    if (!(map->pairs >> k & 1) && !stability_is_usual(map, method, pairs[k])) return false;
     return pair_is_run(map->engine, map->problem, method, pairs[k]);
 }
 
 /* Columns that say which method, with what, a ladder is of. */
 static const char place_header[] = "dim,method,integrator,refresh,default,pair,line";
 
-const Map *map_of_row(const Table *rows, int row)
+const Map *stability_of_row(const Table *rows, int row)
 {
     const Map *map = stability_maps;
     while (strcmp(map->problem, table_text(rows, row, "problem")) != 0) map++;
@@ -42,13 +42,13 @@ const Map *map_of_row(const Table *rows, int row)
 
 static void write_place(FILE *f, const Table *rows, int row)
 {
-    const Map *map = map_of_row(rows, row);
+    const Map *map = stability_of_row(rows, row);
     const char *method = table_text(rows, row, "method");
     const Pair pair = pairs[pair_of_row(rows, row)];
     int line = 0;
     while (strcmp(map->engine->methods[line]->name, method) != 0) line++;
     fprintf(f, "%d,%s,%s,%d,%d,%d,%d,", map->engine->dim, method, pair.integrator, pair.refresh,
-            map_is_usual(map, method, pair), pair_of_row(rows, row), line);
+            stability_is_usual(map, method, pair), pair_of_row(rows, row), line);
 }
 
 static int index_of(const double *list, double x)
@@ -62,7 +62,7 @@ static int index_of(const double *list, double x)
 static int column_of(double cfl)
 {
     for (int k = 0; k < MAP_RUNGS; k++)
-        if (fabs(map_rungs[k] - cfl) <= 1e-9 * cfl) return k;
+        if (fabs(stability_rungs[k] - cfl) <= 1e-9 * cfl) return k;
     return -1;
 }
 
@@ -70,7 +70,7 @@ static int column_of(double cfl)
  * the places of all. */
 static void write_map(FILE *f, const Table *rows, const Ladder *l)
 {
-    const Map *map = map_of_row(rows, l->row[0]);
+    const Map *map = stability_of_row(rows, l->row[0]);
     const double A = row_param(rows, l->row[0], "A"),
                  ppc = table_number(rows, l->row[0], "ppc_asked");
     int height = 1;
@@ -109,8 +109,8 @@ static int write_ladders(const Table *rows, const char *dir, const char *name, c
 {
     char path[PATH_TEXT];
     Ladder *ladders;
-    part_path(path, dir, name, part);
-    const int n = ladders_read(rows, &ladders);
+    table_part_path(path, dir, name, part);
+    const int n = ladder_read_all(rows, &ladders);
     FILE *f = file_begin(path, fault);
     if (f) fprintf(f, "%s,%s\n", place_header, columns);
     for (int k = 0; f && k < n; k++) write(f, rows, &ladders[k]);
@@ -176,7 +176,7 @@ static int write_summary(const Table *limits, const char *dir, const char *name,
                          void (*write)(FILE *f, const Table *limits), Fault *fault)
 {
     char path[PATH_TEXT];
-    part_path(path, dir, name, part);
+    table_part_path(path, dir, name, part);
     FILE *f = file_begin(path, fault);
     if (f) write(f, limits);
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
@@ -184,7 +184,7 @@ static int write_summary(const Table *limits, const char *dir, const char *name,
 
 int stability_tables(const char *dir, const char *name, Fault *fault)
 {
-    Table *rows = part_read(dir, name, NULL, fault);
+    Table *rows = table_read_part(dir, name, NULL, fault);
     int code = rows ? 0 : FAULT_MACHINE;
     if (!code)
         code = write_ladders(rows, dir, name, "map", write_map,
@@ -195,7 +195,7 @@ int stability_tables(const char *dir, const char *name, Fault *fault)
                              "loss_reason",
                              fault);
     table_free(rows);
-    Table *limits = code ? NULL : part_read(dir, name, "limits", fault);
+    Table *limits = code ? NULL : table_read_part(dir, name, "limits", fault);
     code = limits ? 0 : FAULT_MACHINE;
     if (!code) code = write_summary(limits, dir, name, "worst", write_worst, fault);
     if (!code) code = write_summary(limits, dir, name, "safe", write_safe, fault);

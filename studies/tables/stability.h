@@ -22,15 +22,15 @@ typedef struct Map {
 } Map;
 
 extern const Map stability_maps[MAPS];
-extern const double map_rungs[MAP_RUNGS]; /* CFL numbers */
+extern const double stability_rungs[MAP_RUNGS]; /* CFL numbers */
 
 /* Is this the method's default integrator? */
-bool map_is_usual(const Map *map, const char *method, Pair pair);
+bool stability_is_usual(const Map *map, const char *method, Pair pair);
 
-const Map *map_of_row(const Table *rows, int row);
+const Map *stability_of_row(const Table *rows, int row);
 
 /* Does the map show this method with pairs[k]? */
-bool map_has_pair(const Map *map, const char *method, int k);
+bool stability_has_pair(const Map *map, const char *method, int k);
 
 /* Writes the four tables from dir/NAME.csv. 0 or a fault. */
 int stability_tables(const char *dir, const char *name, Fault *fault);

@@ -33,12 +33,12 @@ static void check(Check *c, const Table *rows, const char *dir)
 {
     static const char *const layouts[] = {"cartesian", "radial"};
     (void)rows;
-    note_number(c, "cells", CELLS);
-    note_number(c, "first_cell", FIRST);
-    note_number(c, "last_cell", LAST);
+    claim_note(c, "cells", CELLS);
+    claim_note(c, "first_cell", FIRST);
+    claim_note(c, "last_cell", LAST);
     for (int k = 0; k < 2; k++) {
-        Table *t = part_read(dir, name, layouts[k], NULL);
-        note_number(c, layouts[k], count_inside(t));
+        Table *t = table_read_part(dir, name, layouts[k], NULL);
+        claim_note(c, layouts[k], count_inside(t));
         table_free(t);
     }
 }

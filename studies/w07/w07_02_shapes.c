@@ -27,7 +27,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT];
     (void)quick;
-    part_path(path, dir, name, NULL);
+    table_part_path(path, dir, name, NULL);
     FILE *f = file_begin(path, fault);
     if (!f) return FAULT_MACHINE;
     write_shapes(f);

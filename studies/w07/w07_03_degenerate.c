@@ -27,8 +27,8 @@ static void cases(Cases *list, bool quick)
 
 static Measure error(const Table *rows, int method, int arrangement)
 {
-    return value_pick(rows, "error_linf", "method=%s params=arrangement=%s;field=linear",
-                      methods[method], arrangements[arrangement]);
+    return select_value(rows, "error_linf", "method=%s params=arrangement=%s;field=linear",
+                        methods[method], arrangements[arrangement]);
 }
 
 /* Worst of the two enhanced methods in all four arrangements. */
@@ -51,7 +51,7 @@ static Measure least_of_others(const Table *rows, int method)
 static void check(Check *c, const Table *rows, const char *dir)
 {
     (void)dir;
-    for (int a = 0; a < ARRANGEMENTS; a++) note_number(c, arrangements[a], error(rows, 0, a).value);
+    for (int a = 0; a < ARRANGEMENTS; a++) claim_note(c, arrangements[a], error(rows, 0, a).value);
     claim(c, "W07-3.centred", "MPM's error is zero for perfectly centred particles",
           error(rows, 0, 0), 0, 1e-14);
     claim(c, "W07-3.mpm-others", "and is not zero in the other three: the least of them",

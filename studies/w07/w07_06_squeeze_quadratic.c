@@ -17,7 +17,7 @@ static void check(Check *c, const Table *rows, const char *dir)
     const double plateau = plateau_error(), at_10 = 1 + 0.5 / 100;
     Curve mpm, gimp;
     (void)dir;
-    note_number(c, "plateau", plateau);
+    claim_note(c, "plateau", plateau);
     curve_pick(&mpm, rows, "ppc", "error_linf", "method=mpm");
     curve_pick(&gimp, rows, "ppc", "error_linf", "method=gimp");
     claim(c, "W07-6.mpm-plateau", "MPM at 10 particles per cell, over h^2/6/(1+h)^2 (1 + 1/200)",

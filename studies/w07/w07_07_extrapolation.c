@@ -42,8 +42,9 @@ static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT];
     (void)quick;
-    Table *particles = part_read(dir, name, "particles", NULL); /* not there if not asked for */
-    part_path(path, dir, name, "lines");
+    Table *particles =
+        table_read_part(dir, name, "particles", NULL); /* not there if not asked for */
+    table_part_path(path, dir, name, "lines");
     FILE *f = file_begin(path, fault);
     if (f) fputs("id,x,v,node_x,extrapolated,weight\n", f);
     for (int p = 0; f && particles && p < particles->nrow; p++) write_lines(f, particles, p);
@@ -54,10 +55,10 @@ static int tables(const char *dir, bool quick, Fault *fault)
 static void check(Check *c, const Table *rows, const char *dir)
 {
     (void)dir;
-    const Measure plain = value_pick(rows, "error_linf", "method=mpm");
-    const Measure enhanced = value_pick(rows, "error_linf", "method=ge_mpm");
-    note_number(c, "mpm", plain.value);
-    note_number(c, "ge_mpm", enhanced.value);
+    const Measure plain = select_value(rows, "error_linf", "method=mpm");
+    const Measure enhanced = select_value(rows, "error_linf", "method=ge_mpm");
+    claim_note(c, "mpm", plain.value);
+    claim_note(c, "ge_mpm", enhanced.value);
     claim(c, "W07-7.better", "extrapolated values lower the error: enhanced over plain",
           over(enhanced, plain), 0, 0.8);
 }

@@ -12,7 +12,7 @@ static void check(Check *c, const Table *rows, const char *dir)
     const double plateau = plateau_error(), at_10 = 1 + 0.5 / 100;
     Curve ge_mpm, ge_gimp;
     (void)dir;
-    note_number(c, "plateau", plateau);
+    claim_note(c, "plateau", plateau);
     curve_pick(&ge_mpm, rows, "ppc", "error_linf", "method=ge_mpm");
     curve_pick(&ge_gimp, rows, "ppc", "error_linf", "method=ge_gimp");
     claim(c, "W07-9.ge-gimp-settles",

@@ -20,7 +20,7 @@ static void check(Check *c, const Table *rows, const char *dir)
     (void)dir;
     for (int k = 0; k < MESHES; k++) {
         h[k] = 1.0 / cells[k];
-        error[k] = value_pick(rows, "error_linf", "cells=%d ppc=10", cells[k]).value;
+        error[k] = select_value(rows, "error_linf", "cells=%d ppc=10", cells[k]).value;
         add_largest(&off, fabs(error[k] / printed[k] - 1));
     }
     claim(c, "W07-10.order", "the plateau falls with h^2: order at 10 particles per cell",

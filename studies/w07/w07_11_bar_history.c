@@ -47,13 +47,13 @@ static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT], part[32];
     Files files;
-    part_path(path, dir, name, "stations");
+    table_part_path(path, dir, name, "stations");
     FILE *f = file_begin(path, fault);
     files_open(&files, dir, name);
     if (f) fputs("station,X,t,u,u_exact,status\n", f);
     for (int k = 1; f && k <= INSTANTS; k++) {
         snprintf(part, sizeof part, "%d", k);
-        Table *t = quick && k % 8 ? NULL : part_read(dir, name, part, NULL);
+        Table *t = quick && k % 8 ? NULL : table_read_part(dir, name, part, NULL);
         if (t) write_instant(f, t, period * k / (double)A_PERIOD, file_status(&files, part));
         table_free(t);
     }

@@ -60,7 +60,7 @@ static Measure lost_by(const Table *rows, int method, double periods, double unt
         if (!is_asked(rows, row, method, periods)) continue;
         const double end =
             table_number(rows, row, "steps") * table_number(rows, row, "dt") / period;
-        const bool early = is_lost(rows, row) && (until >= periods || !(end >= until));
+        const bool early = select_is_lost(rows, row) && (until >= periods || !(end >= until));
         const double error = isinf(limit) || early ? 0 : table_number(rows, row, "error_linf");
         add_sum(&lost, isnan(error) ? NAN : early || error > limit);
     }
@@ -82,8 +82,8 @@ static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT];
     (void)quick;
-    part_path(path, dir, name, "census");
-    Table *rows = part_read(dir, name, NULL, fault);
+    table_part_path(path, dir, name, "census");
+    Table *rows = table_read_part(dir, name, NULL, fault);
     FILE *f = rows ? file_begin(path, fault) : NULL;
     if (f) write_census(f, rows);
     table_free(rows);
@@ -109,12 +109,12 @@ static Measure typical(const Table *rows, int method, double periods, double low
         if (!is_asked(rows, row, method, periods)) continue;
         if (!is_awkward(table_number(rows, row, "ppc"), low, high)) continue;
         double e = kept_number(rows, row, "error_linf");
-        if (method == MPM && is_lost(rows, row)) e = INFINITY;
+        if (method == MPM && select_is_lost(rows, row)) e = INFINITY;
         out.rows += !isnan(e);
         errors[n++] = e;
     }
     const bool whole = out.rows == n;
-    out.value = whole ? median(n, errors) : NAN;
+    out.value = whole ? select_median(n, errors) : NAN;
     return out;
 }
 
@@ -126,8 +126,8 @@ static Measure order(const Table *rows, int method, const char *error)
     for (int k = 0; k < ORDERS; k++) {
         for (int i = 0; i < MESHES; i++) {
             h[i] = 1.0 / meshes[i];
-            e[i] = value_pick(rows, error, "method=%s cells=%d particles=%d t_end=%.17g",
-                              methods[method], meshes[i], scaled(counts[k], meshes[i]), period)
+            e[i] = select_value(rows, error, "method=%s cells=%d particles=%d t_end=%.17g",
+                                methods[method], meshes[i], scaled(counts[k], meshes[i]), period)
                        .value;
             add_sum(&all, e[i]);
         }
@@ -183,7 +183,7 @@ static void check_orders(Check *c, const Table *rows)
 static void check(Check *c, const Table *rows, const char *dir)
 {
     (void)dir;
-    note_number(c, "mpm_median", typical(rows, MPM, 1, 2, 10).value);
+    claim_note(c, "mpm_median", typical(rows, MPM, 1, 2, 10).value);
     claim(c, "W07-12.gimp-median", "GIMP's median error after one period, PPC 2 to 10",
           typical(rows, GIMP, 1, 2, 10), 0.0453, 0.0513);
     claim(c, "W07-12.ge-gimp-median", "GE-GIMP's median error after one period, PPC 2 to 10",

@@ -38,7 +38,7 @@ static void check(Check *c, const Table *rows, const char *dir)
     (void)rows;
     files_open(&files, dir, name);
     Table *start = file_read(&files, "start"), *half = file_read(&files, "half");
-    note_number(c, "exaggeration", exaggeration);
+    claim_note(c, "exaggeration", exaggeration);
     claim(c, "W07-14.mirrored",
           "half a period later displacements have changed sign: largest departure over A (h = 1/8)",
           asymmetry(start, half), 0, 0.1);

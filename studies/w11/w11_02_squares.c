@@ -20,7 +20,7 @@ static void write_shapes(FILE *f)
     for (int s = 0; s < SHAPES; s++) {
         Polygon piece[MAX_PIECES];
         const double *d = shapes[s];
-        const int n = square_pieces(d, NULL, piece);
+        const int n = polygon_pieces(d, NULL, piece);
         for (int p = 0; p < n; p++)
             for (int k = 0; k <= piece[p].n; k++) { /* closed */
                 const double *x = piece[p].x[k % piece[p].n];
@@ -34,7 +34,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT];
     (void)quick;
-    part_path(path, dir, name, NULL);
+    table_part_path(path, dir, name, NULL);
     FILE *f = file_begin(path, fault);
     if (!f) return FAULT_MACHINE;
     write_shapes(f);
@@ -87,7 +87,7 @@ static double departure(const double d[4])
 {
     double sum[3], own[3] = {0, 0, 0}, worst = 0;
     Polygon piece[MAX_PIECES];
-    const int n = square_pieces(d, NULL, piece);
+    const int n = polygon_pieces(d, NULL, piece);
     by_hand(d, sum);
     for (int p = 0; p < n; p++) {
         double centre[2] = {0, 0};
@@ -129,7 +129,7 @@ static void check(Check *c, const Table *rows, const char *dir)
           "all 16 masks, a thousand distances each: area and first moments of the shape against "
           "formulas by hand, largest departure",
           closed_form(worst), 0, 1e-12);
-    note_number(c, "masks", masks);
+    claim_note(c, "masks", masks);
 }
 
 const Study study_w11_02_squares = {

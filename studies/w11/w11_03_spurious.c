@@ -42,7 +42,7 @@ static void weigh(const Table *t, double most[SIDE][SIDE])
     }
 }
 
-static void write_nodes(FILE *f, double most[SIDE][SIDE], const char *status)
+static void output_nodes(FILE *f, double most[SIDE][SIDE], const char *status)
 {
     fputs("x,y,most,spurious,status\n", f);
     for (int j = 0; j < SIDE; j++)
@@ -58,15 +58,15 @@ static int tables(const char *dir, bool quick, Fault *fault)
     char path[PATH_TEXT];
     Files files;
     (void)quick;
-    Table *t = part_read(dir, name, "particles", fault);
+    Table *t = table_read_part(dir, name, "particles", fault);
     if (!t) return FAULT_MACHINE;
     weigh(t, most);
     table_free(t);
-    part_path(path, dir, name, "nodes");
+    table_part_path(path, dir, name, "nodes");
     FILE *f = file_begin(path, fault);
     if (!f) return FAULT_MACHINE;
     files_open(&files, dir, name);
-    write_nodes(f, most, file_status(&files, "particles"));
+    output_nodes(f, most, file_status(&files, "particles"));
     files_close(&files);
     return file_commit(f, path, fault);
 }
@@ -84,8 +84,8 @@ static void check(Check *c, const Table *rows, const char *dir)
         if (r >= 0.625 && r <= 1.1) add_sum(&inner, is);
     }
     claim(c, "W11-3.outside", "no node inside the ring is spurious: how many are", inner, 0, 0);
-    note_number(c, "trigger", trigger);
-    note_number(c, "spurious", spurious);
+    claim_note(c, "trigger", trigger);
+    claim_note(c, "spurious", spurious);
     table_free(t);
 }
 

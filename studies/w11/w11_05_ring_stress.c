@@ -24,7 +24,7 @@ static void cases(Cases *list, bool quick)
 /* The largest stress of one file, over all components, in its absolute value. */
 static Measure largest_stress(const Files *files, const char *ms)
 {
-    char *path = text_of("%s/w11_05_%sms.csv", files->dir, ms);
+    char *path = must_text("%s/w11_05_%sms.csv", files->dir, ms);
     Table *t = path_kept(files, path) ? table_read(path, NULL) : NULL;
     Measure most = largest_of(PARTICLES);
     for (int k = 0; t && k < t->nrow; k++)

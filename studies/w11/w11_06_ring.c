@@ -152,13 +152,13 @@ static void check(Check *c, const Table *t, const char *dir)
     check_wls2(c, t);
     claim(c, "W11-6.mpm-order", "MPM does not converge",
           order(t, "mpm", "cartesian", 8, 128, MESHES), -1, 0.5);
-    note_number(c, "order_gimp_radial", order(t, "gimp", "radial", 8, 128, MESHES).value);
+    claim_note(c, "order_gimp_radial", order(t, "gimp", "radial", 8, 128, MESHES).value);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         char name[64];
         const double lattice = order(t, (*m)->name, "cartesian", 8, 128, MESHES).value;
         const double fitted = order(t, (*m)->name, "radial", 8, 128, MESHES).value;
         snprintf(name, sizeof name, "order_%s", (*m)->name);
-        note_number(c, name, isnan(lattice) ? fitted : lattice);
+        claim_note(c, name, isnan(lattice) ? fitted : lattice);
     }
 }
 

@@ -50,8 +50,8 @@ static int tables(const char *dir, bool quick, Fault *fault)
 {
     char path[PATH_TEXT];
     (void)quick;
-    part_path(path, dir, name, "frames");
-    Table *rows = part_read(dir, name, NULL, fault);
+    table_part_path(path, dir, name, "frames");
+    Table *rows = table_read_part(dir, name, NULL, fault);
     FILE *f = rows ? file_begin(path, fault) : NULL;
     if (f) write_frames(f, rows);
     table_free(rows);
@@ -134,9 +134,9 @@ static void check(Check *c, const Table *rows, const char *dir)
         char note[64];
         const Bounce b = bounce(&files, (*m)->name);
         snprintf(note, sizeof note, "back_%s", (*m)->name);
-        note_number(c, note, b.back);
+        claim_note(c, note, b.back);
         snprintf(note, sizeof note, "start_%s", (*m)->name);
-        note_number(c, note, b.start);
+        claim_note(c, note, b.start);
     }
     files_close(&files);
 }

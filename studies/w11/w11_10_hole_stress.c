@@ -53,14 +53,14 @@ static void write_run(FILE *points, FILE *sums, const Files *files, const char *
     char path[PATH_TEXT], part[64];
     Rim rim;
     snprintf(part, sizeof part, "%s.%d", method, cells);
-    part_path(path, files->dir, name, part);
-    if (!file_kept(files, part) || rim_read(&rim, path, cells, r, NULL)) return;
+    table_part_path(path, files->dir, name, part);
+    if (!file_kept(files, part) || hole_read(&rim, path, cells, r, NULL)) return;
     for (int k = 0; k < rim.n; k++)
         fprintf(points, "%s,%d,%.17g,%.17g,%.17g\n", method, cells, rim.angle[k], rim.stress[k],
                 rim.reference[k]);
-    fprintf(sums, "%s,%d,%d,%.17g,%.17g,%.17g\n", method, cells, rim.n, rim_rms(&rim),
-            rim_scatter(&rim), rim.moved);
-    rim_free(&rim);
+    fprintf(sums, "%s,%d,%d,%.17g,%.17g,%.17g\n", method, cells, rim.n, hole_rms(&rim),
+            hole_scatter(&rim), rim.moved);
+    hole_free(&rim);
 }
 
 static void write_runs(FILE *points, FILE *sums, const char *dir, const HoleReference *r)
@@ -84,10 +84,10 @@ static int tables(const char *dir, bool quick, Fault *fault)
     FILE *f[PARTS] = {NULL};
     HoleReference r;
     int code = 0;
-    part_path(path[0], dir, name, "reference");
+    table_part_path(path[0], dir, name, "reference");
     if (hole_reference_read(&r, path[0], quick ? FINE_QUICK : FINE, fault)) return FAULT_MACHINE;
     for (int k = 0; k < PARTS; k++) {
-        part_path(path[k], dir, name, parts[k]);
+        table_part_path(path[k], dir, name, parts[k]);
         if (!code && !(f[k] = file_begin(path[k], fault))) code = FAULT_MACHINE;
     }
     if (!code) {
@@ -124,7 +124,7 @@ static void check_reference(Check *c, const char *dir)
 
 static Measure result(const Table *sums, const char *want, const char *method, int cells)
 {
-    return value_pick(sums, want, "method=%s cells=%d", method, cells);
+    return select_value(sums, want, "method=%s cells=%d", method, cells);
 }
 
 static void check_moved(Check *c, const Table *sums)
@@ -170,9 +170,9 @@ static void check(Check *c, const Table *rows, const char *dir)
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         char note[64];
         snprintf(note, sizeof note, "rms_%s", (*m)->name);
-        note_number(c, note, result(sums, "rms", (*m)->name, 32).value);
+        claim_note(c, note, result(sums, "rms", (*m)->name, 32).value);
         snprintf(note, sizeof note, "scatter_%s", (*m)->name);
-        note_number(c, note, result(sums, "scatter", (*m)->name, 32).value);
+        claim_note(c, note, result(sums, "scatter", (*m)->name, 32).value);
     }
     table_free(sums);
 }

@@ -37,7 +37,7 @@ static void test_csv_round_trip(void)
     fputs("number,text\n", out);
     for (int k = 0; k < 6; k++) {
         fprintf(out, "%d,", k);
-        csv_cell(out, cells[k]);
+        table_put_cell(out, cells[k]);
         putc('\n', out);
     }
     CU_ASSERT(file_commit(out, path, &f) == 0);
@@ -141,13 +141,13 @@ static void test_order_fit(void)
         x[k] = k + 1;
         y[k] = 3 * pow(x[k], -2.5);
     }
-    CHECK_CLOSE(order_fit(9, x, y, &err), -2.5, 1e-12);
+    CHECK_CLOSE(table_order_fit(9, x, y, &err), -2.5, 1e-12);
     CU_ASSERT(err < 1e-6);
     y[3] = NAN;
     y[4] = 0;
     x[5] = -1;
-    CHECK_CLOSE(order_fit(9, x, y, NULL), -2.5, 1e-12);
-    CU_ASSERT(isnan(order_fit(1, x, y, NULL)) && isnan(order_fit(0, x, y, NULL)));
+    CHECK_CLOSE(table_order_fit(9, x, y, NULL), -2.5, 1e-12);
+    CU_ASSERT(isnan(table_order_fit(1, x, y, NULL)) && isnan(table_order_fit(0, x, y, NULL)));
 }
 
 static void test_rows_pick(void)
@@ -157,11 +157,11 @@ static void test_rows_pick(void)
     put_file(path, "method,cells,e\ngimp,40,1\nmpm,40,2\ngimp,4e1,3\ngimp,80,4\n");
     Table *t = table_read(path, NULL);
     CU_ASSERT_PTR_NOT_NULL_FATAL(t);
-    CU_ASSERT(rows_pick(t, 2, where, "e", 4, out) == 2 && out[0] == 1 && out[1] == 3);
-    CU_ASSERT(rows_pick(t, 2, where, "e", 1, out) == 1);
-    CU_ASSERT(rows_pick(t, 0, NULL, "e", 4, out) == 4);
+    CU_ASSERT(select_rows(t, 2, where, "e", 4, out) == 2 && out[0] == 1 && out[1] == 3);
+    CU_ASSERT(select_rows(t, 2, where, "e", 1, out) == 1);
+    CU_ASSERT(select_rows(t, 0, NULL, "e", 4, out) == 4);
     const char *const absent[] = {"colour="};
-    CU_ASSERT(rows_pick(t, 1, absent, "e", 4, out) == 0);
+    CU_ASSERT(select_rows(t, 1, absent, "e", 4, out) == 0);
     table_free(t);
     unlink(path);
 }

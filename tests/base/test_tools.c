@@ -13,9 +13,9 @@ static void test_number_parse(void)
                                         "1e", "1,5", "--1", "1e999", "1.2.3", "e5",   "+"};
     double x = 7;
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++)
-        CU_ASSERT(number_parse(wrong[k], &x) == -1 && x == 7);
-    CU_ASSERT(number_parse("-1.5e-3", &x) == 0 && x == -1.5e-3);
-    CU_ASSERT(number_parse("+.5", &x) == 0 && x == .5);
+        CU_ASSERT(info_number_parse(wrong[k], &x) == -1 && x == 7);
+    CU_ASSERT(info_number_parse("-1.5e-3", &x) == 0 && x == -1.5e-3);
+    CU_ASSERT(info_number_parse("+.5", &x) == 0 && x == .5);
 }
 
 static void test_number_print(void)
@@ -24,12 +24,12 @@ static void test_number_print(void)
     char text[64];
     double back;
     for (size_t k = 0; k < sizeof values / sizeof *values; k++) {
-        number_print(values[k], text);
-        CU_ASSERT(number_parse(text, &back) == 0 && back == values[k]);
+        info_number_print(values[k], text);
+        CU_ASSERT(info_number_parse(text, &back) == 0 && back == values[k]);
     }
-    number_print(.1, text);
+    info_number_print(.1, text);
     CHECK_TEXT(text, "0.1");
-    number_print(.1 + .2, text);
+    info_number_print(.1 + .2, text);
     CHECK_TEXT(text, "0.30000000000000004");
 }
 
@@ -39,24 +39,24 @@ static void test_param(void)
     const Param E = {.name = "E", .min = 1, .max = 1e12};
     char takes[128], text[64];
     double x = -1;
-    CU_ASSERT(param_parse(&law, "neo_hookean", &x, takes) == 0 && x == 1);
-    CU_ASSERT(param_parse(&law, "lo", &x, takes) == -1);
+    CU_ASSERT(info_param_parse(&law, "neo_hookean", &x, takes) == 0 && x == 1);
+    CU_ASSERT(info_param_parse(&law, "lo", &x, takes) == -1);
     CHECK_TEXT(takes, "linear|neo_hookean|log");
-    param_print(&law, 2, text);
+    info_param_print(&law, 2, text);
     CHECK_TEXT(text, "log");
-    CU_ASSERT(param_parse(&E, "1e12", &x, takes) == 0 && x == 1e12);
-    CU_ASSERT(param_parse(&E, "0.5", &x, takes) == -1);
+    CU_ASSERT(info_param_parse(&E, "1e12", &x, takes) == 0 && x == 1e12);
+    CU_ASSERT(info_param_parse(&E, "0.5", &x, takes) == -1);
     CHECK_TEXT(takes, "a number in [1, 1000000000000]");
 }
 
 static void test_nearest_name(void)
 {
     static const char *const names[] = {"bar", "ring", "squeeze", "sine_bar"};
-    CHECK_TEXT(nearest_name("squeze", names, 4), "squeeze");
-    CHECK_TEXT(nearest_name("rnig", names, 4), "ring");
-    CHECK_TEXT(nearest_name("sine", names, 4), "sine_bar");
-    CHECK_TEXT(nearest_name("", names, 4), "bar");
-    CU_ASSERT_PTR_NULL(nearest_name("bar", names, 0));
+    CHECK_TEXT(fault_nearest_name("squeze", names, 4), "squeeze");
+    CHECK_TEXT(fault_nearest_name("rnig", names, 4), "ring");
+    CHECK_TEXT(fault_nearest_name("sine", names, 4), "sine_bar");
+    CHECK_TEXT(fault_nearest_name("", names, 4), "bar");
+    CU_ASSERT_PTR_NULL(fault_nearest_name("bar", names, 0));
 }
 
 static void test_fault(void)
@@ -96,7 +96,7 @@ static void test_spec_full(void)
         snprintf(text, sizeof text, "name%d=%d", k, k);
         CU_ASSERT(spec_set(&spec, text, &f) == 0);
     }
-    CU_ASSERT(spec_set(&spec, "one_more=1", &f) == FAULT_USAGE);
+    CU_ASSERT(spec_set(&spec, "must_grow=1", &f) == FAULT_USAGE);
     CU_ASSERT(spec_set(&spec, "name3=5", &f) == 0);
 }
 

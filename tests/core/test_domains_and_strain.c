@@ -1,5 +1,5 @@
-/* test_domains_and_strain.c: what a run may choose instead of the papers' rules: half widths from the
- * stretch, or none of it; F by the exponential of dt L, or in cycles. */
+/* test_domains_and_strain.c: what a run may choose instead of the papers' rules: half widths from
+ * the stretch, or none of it; F by the exponential of dt L, or in cycles. */
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_matrix.h>
@@ -174,7 +174,7 @@ static void test_exponential(void)
         random_matrix(sizes[round % COUNT(sizes)], A);
         if (DIM > 1 && round % 2 && sizes[round % COUNT(sizes)] < 1e-8)
             A[1 % NMAT] *= 1e9; /* where A^2 is small, but A is not */
-        matrix_exponential(A, own);
+        strain_exponential(A, own);
         by_gsl(A, gsl);
         for (int k = 0; k < NMAT; k++) size = fmax(size, fabs(gsl[k]));
         for (int k = 0; k < NMAT; k++) CHECK_CLOSE(own[k], gsl[k], 1e-13 * size);
@@ -202,7 +202,7 @@ static void check_update(const char *method, Integrator i, const char *rule)
     for (int p = 0; p < n; p++) { /* F starts as I */
         Mat A, wanted, square;
         for (int k = 0; k < NMAT; k++) A[k] = F[0][(AT_F + k) * n + p] - (k % (DIM + 1) == 0);
-        matrix_exponential(A, wanted);
+        strain_exponential(A, wanted);
         for (int k = 0; k < NMAT && r.plan.setup.strain == STRAIN_SUBCYCLED; k++) {
             square[k] = 0; /* (I + A/2)^2 */
             for (int j = 0; j < DIM; j++)

@@ -14,7 +14,7 @@ static int box_init(Scene *s, char why[128])
     (void)why;
     s->mat = material_make(NEO_HOOKEAN, 1e4, DIM == 1 ? 0 : 0.3, 2);
     for (int d = 0; d < DIM; d++) s->hi[d] = 6, s->body_lo[d] = 1, s->body_hi[d] = 2;
-    s->c = wave_speed_bound(&s->mat);
+    s->c = material_wave_speed_bound(&s->mat);
     s->error_scale = 1;
     return 0;
 }

@@ -1,6 +1,7 @@
 /* test_loads.c: scenes that are known by their load alone: all of it, and its moment about the
  * wall that holds the body. */
 #include "common/contract/layout.h"
+#include "common/contract/problem.h"
 #include "tests/check.h"
 
 extern const Problem problem_cantilever, problem_hanging_bar;

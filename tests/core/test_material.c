@@ -39,7 +39,7 @@ static double energy(const Material *m, const Mat F)
     const double *f[NMAT];
     double psi;
     for (int k = 0; k < NMAT; k++) f[k] = &F[k];
-    stored_energy(m, 1, f, &psi);
+    material_stored_energy(m, 1, f, &psi);
     return psi;
 }
 
@@ -59,7 +59,7 @@ static double first_stress(const Material *m, const Mat F, int k)
     return sum;
 }
 
-/* 64 deformations, none far from I, in the arrays that kirchhoff wants. */
+/* 64 deformations, none far from I, in the arrays that material_kirchhoff wants. */
 static void deformations(Field F[NMAT], const double *f[NMAT])
 {
     for (int k = 0; k < NMAT; k++) {
@@ -76,7 +76,7 @@ static void test_stress(void)
     for (int law = NEO_HOOKEAN; law <= LINEAR; law++) {
         const Material m = material_make((Law)law, 2, DIM == 1 ? 0 : 0.3, 1);
         deformations(F, f);
-        kirchhoff(&m, f, T);
+        material_kirchhoff(&m, f, T);
         for (int p = 0; p < CHUNK; p++)
             for (int a = 0; a < DIM; a++)
                 for (int b = 0; b < DIM; b++) {
@@ -104,7 +104,7 @@ static void test_rotation(void)
             F[0][p] = c, F[NMAT == 1 ? 0 : DIM + 1][p] = c;
             if (DIM > 1) F[1 % NMAT][p] = -s, F[DIM % NMAT][p] = s;
         }
-        kirchhoff(&m, f, T);
+        material_kirchhoff(&m, f, T);
         for (int k = 0; k < NMAT; k++)
             for (int p = 0; p < CHUNK; p++) CHECK_CLOSE(T[k][p], 0, 1e-14);
     }
@@ -125,8 +125,9 @@ static void test_out_of_plane(void)
                 own[k] = k == 0 ? s : k % (DIM + 1) == 0;
                 for (int p = 0; p < CHUNK; p++) F[k][p] = own[k];
             }
-            kirchhoff(&m, f, T);
-            CHECK_CLOSE(out_of_plane_stress(&m, own), DIM == 1 ? 0 : T[NMAT - 1][0] / s, 1e-14);
+            material_kirchhoff(&m, f, T);
+            CHECK_CLOSE(material_out_of_plane_stress(&m, own), DIM == 1 ? 0 : T[NMAT - 1][0] / s,
+                        1e-14);
         }
     }
 }
@@ -137,8 +138,8 @@ static void test_speeds(void)
     const double nu = DIM == 1 ? 0 : 0.3;
     CHECK_CLOSE(m.mu, 5e3 / (1 + nu), 1e-9);
     CHECK_CLOSE(m.lambda, 1e4 * nu / ((1 + nu) * (1 - 2 * nu)), 1e-9);
-    CHECK_CLOSE(wave_speed_bar(&m), sqrt(5e3), 1e-12);
-    CU_ASSERT(wave_speed_p(&m) < wave_speed_bound(&m));
+    CHECK_CLOSE(material_wave_speed_bar(&m), sqrt(5e3), 1e-12);
+    CU_ASSERT(material_wave_speed_p(&m) < material_wave_speed_bound(&m));
 }
 
 extern const TestCase material_tests[];

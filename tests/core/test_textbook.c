@@ -153,7 +153,7 @@ static int corner_init(Scene *s, char why[128])
         s->wall[s->nwall++] = (Wall){.axis = d, .side = -1, .at = 0, .mirror = true};
     }
     s->wall[s->nwall++] = (Wall){.axis = 0, .side = 1, .at = 1, .hold = 1};
-    s->c = wave_speed_bound(&s->mat);
+    s->c = material_wave_speed_bound(&s->mat);
     return 0;
 }
 

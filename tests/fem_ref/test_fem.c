@@ -37,7 +37,7 @@ static Scene plate(const Problem *problem, const double G[NMAT])
                .mat = material_make(NEO_HOOKEAN, 1e4, 0.3, 1),
                .body_hi = {1, 1},
                .body = {BODY_HOLE_PLATE, {0, 0}, 0.5, 0, 0, M_PI / 2}};
-    s.c = wave_speed_p(&s.mat);
+    s.c = material_wave_speed_p(&s.mat);
     memcpy(s.k, G, sizeof(Mat));
     return s;
 }
@@ -72,7 +72,7 @@ static void check_uniform(const Fem *f)
         for (int p = 0; p < CHUNK; p++) G[k][p] = f->scene->k[k];
     }
     CU_ASSERT_FATAL(f->nodes <= 1000);
-    kirchhoff(&f->scene->mat, now, T);
+    material_kirchhoff(&f->scene->mat, now, T);
     solver_fem.point_stress(f, F, sigma);
     const double J = determinant(f->scene->k), E = f->scene->mat.E;
     for (int i = 0; i < f->nodes; i++)
@@ -136,7 +136,7 @@ static double strain(const Fem *f)
     for (int e = 0; e < f->elements; e++) {
         const double *F[NMAT] = {&f->F[0][e], &f->F[1][e], &f->F[2][e], &f->F[3][e]};
         double psi;
-        stored_energy(&f->scene->mat, 1, F, &psi);
+        material_stored_energy(&f->scene->mat, 1, F, &psi);
         sum += psi * f->A0[e];
     }
     return sum;

@@ -49,7 +49,7 @@ static Scene quarter_ring(const Problem *problem)
         .body = {BODY_RING, {0, 0}, 0.5, 1, 0, M_PI / 2},
         .wall = {{.axis = 0, .side = -1, .mirror = true}, {.axis = 1, .side = -1, .mirror = true}},
         .nwall = 2};
-    s.c = wave_speed_p(&s.mat);
+    s.c = material_wave_speed_p(&s.mat);
     return s;
 }
 
@@ -108,7 +108,7 @@ static void test_impact(void)
                .body = {BODY_DISK, {0.3, 0.3}, 0, 0.2, 0, 2 * M_PI},
                .wall = {{.axis = 1, .side = -1, .at = 0, .hold = 2}},
                .nwall = 1};
-    s.c = wave_speed_bound(&s.mat);
+    s.c = material_wave_speed_bound(&s.mat);
     Fem *f = make(&s, 48, 1);
     const double dt = 0.4 * solver_fem.unit_dt(f), start = kinetic(f);
     double lowest = 1, least = start, p[DIM] = {0}, mass = 0;

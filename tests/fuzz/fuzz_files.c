@@ -74,7 +74,7 @@ static const char *write_again(const Table *t, const char *path)
     if (!out) abort();
     for (int r = -1; r < t->nrow; r++)
         for (int c = 0; c < t->ncol; c++) {
-            csv_cell(out, r < 0 ? t->name[c] : t->cell[r * t->ncol + c]);
+            table_put_cell(out, r < 0 ? t->name[c] : t->cell[r * t->ncol + c]);
             putc(c + 1 < t->ncol ? ',' : '\n', out);
         }
     if (fclose(out) != 0) abort();

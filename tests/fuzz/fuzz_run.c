@@ -23,7 +23,7 @@ static const char *same_again(const RunSpec *spec)
     const Engine *engine;
     Fault fault = {0};
     spec_command(spec, once);
-    if (run_text_resolve(once, &again, &engine, &fault)) return "a run's own command is refused";
+    if (run_args_resolve(once, &again, &engine, &fault)) return "a run's own command is refused";
     spec_command(&again, twice);
     return strcmp(once, twice) ? "a run's command makes another run" : NULL;
 }
@@ -57,9 +57,10 @@ const char *fuzz_set(const unsigned char *data, size_t n)
     char *text = fuzz_text(data, n), *lines[MOST];
     RunSpec spec = {0};
     Fault fault = {0};
-    const int byte = (unsigned char)text[0], np = problem_names(problems, 64);
+    const int byte = (unsigned char)text[0], np = engine_problem_names(problems, 64);
     snprintf(spec.problem, sizeof spec.problem, "%s", problems[byte % np]);
-    snprintf(spec.method, sizeof spec.method, "%s", methods[byte / np % method_names(methods, 64)]);
+    snprintf(spec.method, sizeof spec.method, "%s",
+             methods[byte / np % engine_method_names(methods, 64)]);
     int count = n ? fuzz_split(text + 1, '\n', lines, MOST) : 0;
     for (int k = 0; k < count && !wrong; k++) {
         int code = spec_set(&spec, lines[k], &fault);
@@ -93,7 +94,7 @@ const char *fuzz_case(const unsigned char *data, size_t n)
     const Engine *engine;
     Fault fault = {0};
     Row row = row_empty();
-    int code = run_text_resolve(text, &spec, &engine, &fault);
+    int code = run_args_resolve(text, &spec, &engine, &fault);
     free(text);
     if (code) return fuzz_refusal(code, &fault);
     if (!is_small(&spec) || spec_set(&spec, "steps=2", NULL)) return NULL;

@@ -20,11 +20,11 @@ static const char *same_list(const List *list, bool whole)
     char *text = malloc(size), *at = text;
     if (!text) abort();
     for (int k = 0; k < list->n; k++) at += sprintf(at, k ? ",%s" : "%s", list->value[k]);
-    if (list_read(&again, "again", text, whole, &fault)) wrong = "a list's values are refused";
+    if (lists_read(&again, "again", text, whole, &fault)) wrong = "a list's values are refused";
     if (!wrong && again.n != list->n) wrong = "a list's values are another list";
     for (int k = 0; !wrong && k < list->n; k++)
         if (strcmp(again.value[k], list->value[k])) wrong = "a value changed";
-    list_free(&again);
+    lists_free(&again);
     free(text);
     return wrong;
 }
@@ -54,10 +54,10 @@ static const char *take_line(Sweep *s, char *line)
     for (int k = 0; k < s->n; k++)
         if (strcmp(s->axis[k].name, axis->name) == 0) return NULL;
     const bool whole = strcmp(line, "cells") == 0;
-    const int code = list_read(&axis->list, axis->name, values, whole, &fault);
+    const int code = lists_read(&axis->list, axis->name, values, whole, &fault);
     const char *wrong = code ? fuzz_refusal(code, &fault) : check_list(&axis->list, whole);
     if (code)
-        list_free(&axis->list);
+        lists_free(&axis->list);
     else
         s->n++;
     return wrong;
@@ -76,7 +76,7 @@ static const char *check_cases(Sweep *s)
         for (int j = 0; j < k; j++)
             if (strcmp(text[j], text[k]) == 0 && strlen(text[k]) + 1 < SPEC_TEXT)
                 return "two cases are the same";
-        const int code = run_text_resolve(text[k], &spec, &engine, &fault);
+        const int code = run_args_resolve(text[k], &spec, &engine, &fault);
         if (code && fuzz_refusal(code, &fault)) return fuzz_refusal(code, &fault);
     }
     return NULL;
@@ -88,14 +88,14 @@ const char *fuzz_sweep(const unsigned char *data, size_t n)
     const char *problems[64], *wrong = NULL;
     char *text = fuzz_text(data, n), *lines[SWEEP_AXES];
     Sweep s = {0};
-    const int known = problem_names(problems, 64), byte = (unsigned char)text[0];
+    const int known = engine_problem_names(problems, 64), byte = (unsigned char)text[0];
     snprintf(s.problem, sizeof s.problem, "%s", problems[byte % known]);
     const int count = n ? fuzz_split(text + 1, '\n', lines, SWEEP_AXES) : 0;
     for (int k = 0; k < count && !wrong; k++) wrong = take_line(&s, lines[k]);
     sweep_arrange(&s);
     if (s.across >= 0 && s.across != s.n - 1) wrong = "the long list is not the last";
     if (!wrong && s.n > 0) wrong = check_cases(&s);
-    for (int k = 0; k < s.n; k++) list_free(&s.axis[k].list);
+    for (int k = 0; k < s.n; k++) lists_free(&s.axis[k].list);
     free(text);
     return wrong;
 }

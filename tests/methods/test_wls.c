@@ -87,7 +87,7 @@ static void test_known_shapes(void)
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         Polygon piece[MAX_PIECES];
         double sum[3] = {0}, c[2];
-        const int n = square_pieces(known[k].d, NULL, piece);
+        const int n = polygon_pieces(known[k].d, NULL, piece);
         CU_ASSERT_EQUAL(n, known[k].pieces);
         for (int q = 0; q < n; q++) {
             const double area = polygon_area(&piece[q], c);

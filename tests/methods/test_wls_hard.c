@@ -133,7 +133,7 @@ static Sim *set_up(const Method *method, const Problem *problem, Case *out)
                  .body_lo = {0.2, 0.2},
                  .body_hi = {1, 1},
                  .error_scale = 1};
-    s->c = wave_speed_bound(&s->mat);
+    s->c = material_wave_speed_bound(&s->mat);
     s->cell = 1.0 / H;
     defaults(method->info.params, out->par);
     out->setup = (Setup){.scene = s,

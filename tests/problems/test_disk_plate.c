@@ -162,18 +162,18 @@ static void run_block(const Method *method, bool releases, double speed, int ste
                    .fitted = method->surface,
                    .threads = 1};
     s.k[SPEED] = speed;
-    s.c = wave_speed_bound(&s.mat);
+    s.c = material_wave_speed_bound(&s.mat);
     void *self = particle_solver.make(&setup, &fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(self);
     Points p;
     Samples q;
     Vec given, before, after;
     particle_solver.view(self, &p, &q);
-    momentum(&p, before);
+    ledger_momentum(&p, before);
     for (int k = 0; k < steps; k++)
         CU_ASSERT(particle_solver.step(self, 0.01 * k, 0.01, k == 0).code == OK);
     particle_solver.view(self, &p, &q);
-    momentum(&p, after);
+    ledger_momentum(&p, after);
     particle_solver.impulse(self, given);
     *gained = (after[1] - before[1]) / fabs(before[1]);
     *impulse = given[1] / fabs(before[1]);

@@ -65,15 +65,15 @@ static void test_norms(void)
         for (int d = 0; d < DIM; d++) off[d][p] = s.x[d][p] - 2 * s.X[d][p] - (d + 1);
         e[p] = size_of(off, p) / 0.5;
     }
-    CU_ASSERT_FATAL(scratch_fit(&scratch, N));
-    const Errors now = displacement_errors(&scene, &s.points, 0, &scratch);
+    CU_ASSERT_FATAL(norm_scratch_fit(&scratch, N));
+    const Errors now = norm_displacement(&scene, &s.points, 0, &scratch);
     CHECK_CLOSE(now.linf, fmax(e[0], e[1]), 1e-14);
     CHECK_CLOSE(now.l2, sqrt((e[0] * e[0] + 3 * e[1] * e[1]) / 4), 1e-14);
     CHECK_CLOSE(now.l1, (e[0] + 3 * e[1]) / 4, 1e-14);
     s.x[0][0] = NAN;
-    const Errors none = displacement_errors(&scene, &s.points, 0, &scratch);
+    const Errors none = norm_displacement(&scene, &s.points, 0, &scratch);
     CU_ASSERT(isnan(none.linf) && isnan(none.l2) && isnan(none.l1));
-    scratch_free(&scratch);
+    norm_scratch_free(&scratch);
 }
 
 /* |v_i - v(x_i)|/|v(x_i)|, equal weights, over nodes with mass within the body. */
@@ -94,12 +94,12 @@ static void test_projection(void)
     for (int p = 0; p < REAL; p++) e[p] = size_of(off, p) / size_of(exact, p);
     Nodes nodes = {.n = N, .m = (const double[]){1, 9, 0, 1}}; /* 2: no mass; 3: outside */
     for (int d = 0; d < DIM; d++) nodes.x[d] = s.x[d], nodes.v[d] = s.v[d];
-    CU_ASSERT_FATAL(scratch_fit(&scratch, N));
-    const Errors now = projection_errors(&scene, &nodes, &scratch);
+    CU_ASSERT_FATAL(norm_scratch_fit(&scratch, N));
+    const Errors now = norm_projection(&scene, &nodes, &scratch);
     CHECK_CLOSE(now.linf, fmax(e[0], e[1]), 1e-14);
     CHECK_CLOSE(now.l2, sqrt((e[0] * e[0] + e[1] * e[1]) / 2), 1e-14);
     CHECK_CLOSE(now.l1, (e[0] + e[1]) / 2, 1e-14);
-    scratch_free(&scratch);
+    norm_scratch_free(&scratch);
 }
 
 static void test_sums(void)
@@ -117,10 +117,10 @@ static void test_sums(void)
         for (int c = 0; c < NMAT; c++) F[c] = s.F[c][k];
         J[k] = determinant(F);
     }
-    CHECK_CLOSE(kinetic_energy(&s.points), kinetic, 1e-14);
-    CHECK_CLOSE(momentum(&s.points, p), speeds, 1e-14);
+    CHECK_CLOSE(ledger_kinetic(&s.points), kinetic, 1e-14);
+    CHECK_CLOSE(ledger_momentum(&s.points, p), speeds, 1e-14);
     for (int d = 0; d < DIM; d++) CHECK_CLOSE(p[d], own[d], 1e-14);
-    v = volumes(&s.samples);
+    v = ledger_volumes(&s.samples);
     CHECK_CLOSE(v.sum, weight[0] * J[0] + weight[1] * J[1], 1e-14);
     CHECK_CLOSE(v.least, fmin(J[0], J[1]), 0);
     CHECK_CLOSE(v.most, fmax(J[0], J[1]), 0);
@@ -134,7 +134,7 @@ static void test_turning(void)
     fill(&s);
     const double r[] = {s.x[0][1] - s.x[0][0], s.x[Y][1] - s.x[Y][0]};
     const double v[] = {s.v[0][1] - s.v[0][0], s.v[Y][1] - s.v[Y][0]};
-    const double about = angular_momentum(&s.points);
+    const double about = ledger_angular_momentum(&s.points);
     if (DIM == 2) CHECK_CLOSE(about, 10.0 / 7 * (r[0] * v[1] - r[1] * v[0]), 1e-13);
     if (DIM != 2) CU_ASSERT(isnan(about));
 }
@@ -151,12 +151,12 @@ static void test_strain(void)
         const double *F[NMAT];
         double psi;
         for (int c = 0; c < NMAT; c++) F[c] = &s.F[c][k];
-        stored_energy(&scene.mat, 1, F, &psi);
+        material_stored_energy(&scene.mat, 1, F, &psi);
         sum += weight[k] * psi;
     }
-    CU_ASSERT_FATAL(scratch_fit(&scratch, N));
-    CHECK_CLOSE(strain_energy(&scene, &s.samples, &scratch), sum, 1e-14);
-    scratch_free(&scratch);
+    CU_ASSERT_FATAL(norm_scratch_fit(&scratch, N));
+    CHECK_CLOSE(ledger_strain(&scene, &s.samples, &scratch), sum, 1e-14);
+    norm_scratch_free(&scratch);
 }
 
 /* The columns of --particles are those of the state, in order of id. */
@@ -211,7 +211,7 @@ static void test_von_mises(void)
         CHECK_CLOSE(now.von_mises[k], sqrt(1.5 * square), 1e-10);
         CU_ASSERT(DIM == 1 || (fabs(s[1]) > 0 && fabs(s[8]) > 0));
     }
-    CU_ASSERT(write_particles("measures.csv", &r.plan.scene, &particle_solver, core, NULL) == 0);
+    CU_ASSERT(output_particles("measures.csv", &r.plan.scene, &particle_solver, core, NULL) == 0);
     check_file(&now, "measures.csv");
     remove("measures.csv");
     state_free(&now);

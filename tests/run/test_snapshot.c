@@ -169,7 +169,7 @@ static void test_base64(void)
     const double x[3][3] = {{0}};
     const VtkArray arrays[] = {{"text", VTK_U8, 1, bytes}, {0}};
     const VtkData data = {.t = 0.5, .points = 3, .x = &x[0][0], .cells = -1, .on_point = arrays};
-    CU_ASSERT_EQUAL(vtk_write("base64.vtp", &data, NULL), 0);
+    CU_ASSERT_EQUAL(vtk_file_write("base64.vtp", &data, NULL), 0);
     CU_ASSERT_EQUAL(count_in("base64.vtp", "_AwAAAAAAAABNYW4="), 1);
     CU_ASSERT_EQUAL(count_in("base64.vtp", "offset=\"16\""), 1); /* of what comes next */
     CU_ASSERT_EQUAL(count_in("base64.vtp", "NumberOfPoints=\"3\" NumberOfVerts=\"3\""), 1);

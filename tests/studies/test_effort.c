@@ -31,8 +31,9 @@ static Table *reach(const Effort *list, int n)
     Fault fault = {0};
     mkdir("scratch", 0777), mkdir(dir, 0777);
     for (int k = 0; k < n; k++) own[k] = list[k];
-    CU_ASSERT_FATAL(reach_write(&(Efforts){n, own}, "scratch/effort/e.reach.csv", &fault) == 0);
-    Table *t = part_read(dir, "e", "reach", NULL);
+    CU_ASSERT_FATAL(effort_reach_write(&(Efforts){n, own}, "scratch/effort/e.reach.csv", &fault) ==
+                    0);
+    Table *t = table_read_part(dir, "e", "reach", NULL);
     CU_ASSERT_PTR_NOT_NULL_FATAL(t);
     return t;
 }
@@ -108,7 +109,7 @@ static void test_points(void)
     Table *rows = table_read("scratch/effort/e.csv", NULL);
     CU_ASSERT_PTR_NOT_NULL_FATAL(rows);
     CU_ASSERT_FATAL(effort_tables(rows, 3, dir, "e", NULL) == 0);
-    Table *t = part_read(dir, "e", "points", NULL);
+    Table *t = table_read_part(dir, "e", "points", NULL);
     CU_ASSERT_PTR_NOT_NULL_FATAL(t);
     CU_ASSERT_FATAL(t->nrow == 3);
     static const double least[] = {1, 5, 6}, middle[] = {2, 7, 8};

@@ -29,7 +29,7 @@ static void check(Check *c, const Table *rows, const char *folder)
     double steps[4];
     CHECK_TEXT(folder, dir);
     claim(c, "T.rows", "a repeated case is a row each time",
-          measure(rows_pick(rows, 2, where, "steps", 4, steps), 2, 2), 2, 2);
+          measure(select_rows(rows, 2, where, "steps", 4, steps), 2, 2), 2, 2);
     claim(c, "T.fails", "out of bounds", measure(3, 1, 1), 0, 2);
     claim(c, "T.nan", "not there", measure(NAN, 1, 1), -INFINITY, INFINITY);
     claim_differs(c, "T.holds", "holds", measure(1, 3, 2), 0, 2, 5, 6, "reason");
@@ -37,7 +37,7 @@ static void check(Check *c, const Table *rows, const char *folder)
     claim_differs(c, "T.neither", "neither", measure(4, 1, 1), 0, 2, 5, 6, "reason");
     claim_differs(c, "T.nan-too", "not there", measure(NAN, 1, 1), 0, 2, 5, 6, "reason");
     claim(c, "T.few", "within bounds, on too few rows", measure(1, 1, 2), 0, 2);
-    note_number(c, "a-note", .1);
+    claim_note(c, "a-note", .1);
 }
 
 static const Study tiny = {
@@ -50,8 +50,8 @@ static void test_verdicts(void)
     static const Verdict expected[] = {PASS, FAIL, FAIL, PASS, DIFFERS, FAIL, FAIL, FAIL};
     Check c = {0};
     Fault f;
-    CU_ASSERT_FATAL(study_run(&tiny, &options, &f) == 0);
-    CU_ASSERT_FATAL(check_study(&c, &tiny, dir, &f) == 0);
+    CU_ASSERT_FATAL(run_study(&tiny, &options, &f) == 0);
+    CU_ASSERT_FATAL(claims_judge_study(&c, &tiny, dir, &f) == 0);
     CU_ASSERT_FATAL(c.n == 8);
     for (int k = 0; k < c.n; k++) CU_ASSERT(c.list[k].verdict == expected[k]);
     CHECK_TEXT(c.list[4].reason, "reason");
@@ -83,9 +83,9 @@ static void test_file_comes_back(void)
     const char history[] = "scratch/study/tiny.history.csv", rows[] = "scratch/study/tiny.rows";
     const off_t before = size_of(rows), length = size_of(history);
     CU_ASSERT(before > 0 && length > 0);
-    CU_ASSERT(study_run(&tiny, &options, NULL) == 0 && size_of(rows) == before);
+    CU_ASSERT(run_study(&tiny, &options, NULL) == 0 && size_of(rows) == before);
     unlink(history);
-    CU_ASSERT(study_run(&tiny, &options, NULL) == 0);
+    CU_ASSERT(run_study(&tiny, &options, NULL) == 0);
     CU_ASSERT(size_of(history) == length && size_of(rows) > before);
     Table *t = table_read("scratch/study/tiny.csv", NULL);
     CU_ASSERT(t && t->nrow == 4);
@@ -118,12 +118,12 @@ static void test_refine(void)
     char reason[128];
     const Study page = {
         .name = "refined", .figure = "T", .cases = first_case, .refine = next_case, .about = ""};
-    CU_ASSERT_FATAL(study_run(&page, &options, NULL) == 0);
+    CU_ASSERT_FATAL(run_study(&page, &options, NULL) == 0);
     const off_t length = size_of(rows);
     Table *t = table_read("scratch/study/refined.csv", NULL);
     CU_ASSERT(t && t->nrow == 4 && table_number(t, 3, "steps") == 6);
     table_free(t);
-    CU_ASSERT(study_run(&page, &options, NULL) == 0 && size_of(rows) == length);
+    CU_ASSERT(run_study(&page, &options, NULL) == 0 && size_of(rows) == length);
     CU_ASSERT(sidecar_is_current(&page, dir, reason));
     const Study other = {
         .name = "refined", .figure = "T", .cases = cases, .refine = next_case, .about = ""};
@@ -146,10 +146,10 @@ static void test_wrong_pages(void)
 {
     Study page = {.name = "wrong", .cases = wrong_run};
     Fault f = {0};
-    CU_ASSERT(study_run(&page, &options, &f) == FAULT_USAGE);
+    CU_ASSERT(run_study(&page, &options, &f) == FAULT_USAGE);
     CU_ASSERT(strstr(f.text, "study wrong") && strstr(f.text, "'-1'"));
     page.cases = wrong_kind;
-    CU_ASSERT(study_run(&page, &options, &f) == FAULT_USAGE && strstr(f.text, "'histories'"));
+    CU_ASSERT(run_study(&page, &options, &f) == FAULT_USAGE && strstr(f.text, "'histories'"));
     CU_ASSERT(size_of("scratch/study/wrong.csv") == -1);
 }
 
@@ -162,7 +162,7 @@ static Table *table_of(const char *text)
     CU_ASSERT_PTR_NOT_NULL_FATAL(f);
     fputs(text, f);
     fclose(f);
-    Table *t = part_read(dir, "page", "part", NULL);
+    Table *t = table_read_part(dir, "page", "part", NULL);
     CU_ASSERT_PTR_NOT_NULL_FATAL(t);
     return t;
 }
@@ -184,8 +184,8 @@ static void test_curves(void)
     CHECK_CLOSE(curve_deviation(&c, 3, printed).value, 0.1, 1e-15); /* .05, .2 half, 0 */
     CU_ASSERT(isnan(curve_deviation(&c, 2, absent).value));
     CU_ASSERT(curve_deviation(&c, 2, absent).rows == 1);
-    CHECK_CLOSE(value_pick(t, "y", "m=b x=%d", 2).value, 99, 0);
-    CU_ASSERT(isnan(value_pick(t, "y", "m=c").value) && value_pick(t, "y", "m=c").rows == 0);
+    CHECK_CLOSE(select_value(t, "y", "m=b x=%d", 2).value, 99, 0);
+    CU_ASSERT(isnan(select_value(t, "y", "m=c").value) && select_value(t, "y", "m=c").rows == 0);
     table_free(t);
 }
 
@@ -238,11 +238,11 @@ static void test_declared(void)
     Study page = {.name = "tiny", .figure = "T", .about = "", .check = one_claim, .claims = 1};
     Check c = {0};
     Fault f = {0};
-    CU_ASSERT_FATAL(check_study(&c, &page, dir, &f) == 0 && c.n == 1);
+    CU_ASSERT_FATAL(claims_judge_study(&c, &page, dir, &f) == 0 && c.n == 1);
     CU_ASSERT(c.list[0].verdict == FAIL);
     CU_ASSERT_PTR_NOT_NULL(strstr(c.list[0].reason, "tiny.absent.csv"));
     page.claims = 2;
-    CU_ASSERT(check_study(&c, &page, dir, &f) == FAULT_MACHINE);
+    CU_ASSERT(claims_judge_study(&c, &page, dir, &f) == FAULT_MACHINE);
     CU_ASSERT_PTR_NOT_NULL(strstr(f.text, "makes 1 claims, declares 2"));
     free(c.list);
 }
@@ -250,15 +250,15 @@ static void test_declared(void)
 static void test_median(void)
 {
     double odd[] = {5, 1, 3}, even[] = {4, 1, 3, 2};
-    CHECK_CLOSE(median(3, odd), 3, 0);
-    CHECK_CLOSE(median(4, even), 2.5, 0);
-    CU_ASSERT(isnan(median(0, odd)));
+    CHECK_CLOSE(select_median(3, odd), 3, 0);
+    CHECK_CLOSE(select_median(4, even), 2.5, 0);
+    CU_ASSERT(isnan(select_median(0, odd)));
 }
 
 static void test_lost(void)
 {
     Table *t = table_of("status\nok\nenergy_growth\nnan\nleft_grid\n");
-    for (int row = 0; row < t->nrow; row++) CU_ASSERT(is_lost(t, row) == (row >= 2));
+    for (int row = 0; row < t->nrow; row++) CU_ASSERT(select_is_lost(t, row) == (row >= 2));
     table_free(t);
 }
 

@@ -90,8 +90,8 @@ typedef struct Trial {
 
 static void complain(const Claim *c, const char *what)
 {
-    printf("%s: %s: %s, %.6g on %d rows: %s\n", c->id, what, verdict_name(c->verdict), c->measured,
-           c->rows, c->reason);
+    printf("%s: %s: %s, %.6g on %d rows: %s\n", c->id, what, claim_verdict_name(c->verdict),
+           c->measured, c->rows, c->reason);
 }
 
 static Check judge(const Trial *t, bool again)
@@ -99,7 +99,7 @@ static Check judge(const Trial *t, bool again)
     Check c = {0};
     Fault fault = {0};
     if (again && t->study->tables) t->study->tables(dir, false, &fault);
-    if (check_study(&c, t->study, dir, &fault)) {
+    if (claims_judge_study(&c, t->study, dir, &fault)) {
         printf("%s: %s\n", t->study->name, fault.text);
         CU_FAIL("claims are not made");
     }

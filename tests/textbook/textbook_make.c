@@ -8,7 +8,8 @@
 
 enum { GHOSTS = 8 }; /* nodes beyond the domain */
 
-/* A smooth weight's force fades with its mass, a tent's does not (common/core/sim.c has the reason). */
+/* A smooth weight's force fades with its mass, a tent's does not (common/core/sim.c has the
+ * reason). */
 #define TENT_LEAST IN_THIS_DIM(1e-12, 1e-24, 1e-36)
 static const TwinMethod known[] = {
     {.name = "mpm", .shape = TWIN_TENT, .least = TENT_LEAST},
@@ -104,7 +105,7 @@ static bool choose(Twin *w, const Setup *setup)
 }
 
 /* Moments of the initial gradient: B = L D. */
-static void start_moments(Twin *w)
+static void gather_start_moments(Twin *w)
 {
     for (int k = 0; k < w->n && w->method.moments; k++) {
         TwinParticle *p = &w->p[k];
@@ -138,7 +139,7 @@ Twin *twin_new(const Setup *setup)
     layout_free(&layout);
     if (good) {
         hold_walls(w);
-        start_moments(w);
+        gather_start_moments(w);
         return w;
     }
     twin_free(w);
