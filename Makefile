@@ -90,7 +90,7 @@ CORE_DIMS   = 1 2 3
 CORE_3      = main_3d rig twin twin_filter twin_make \
               $(patsubst %,test_%,twin shapes material exact remedies)
 CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract \
-              $(patsubst %,test_%,invariants hard order dynamics spots rules status methods)
+              $(patsubst %,test_%,invariants hard on_nodes order dynamics spots rules status methods)
 CORE_2      = $(CORE_1)
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring
 WLS_TESTS   = test_wls test_wls_runs test_wls_hard test_ge_wls test_axis_mms test_vortex

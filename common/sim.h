@@ -112,6 +112,9 @@ bool sim_is_valid(const Sim *sim);
 /* Sorts particles by cell, rebuilds blocks, padding and live spans; sort.c. */
 void sim_sort(Sim *sim);
 
+/* G = 0 for particles on nodes, whose slope is not the tent's; on_node.c. */
+void clear_slopes_on_nodes(Stencil stencil[DIM]);
+
 /* Symmetry: ghosts beyond each mirror line are added to their images (fold, after a deposit; body
  * force too) and filled from them (unfold, before a gather); mirror.c. All by parity per component,
  * so that no method knows of it. unfold also books what the ghosts' share of momentum received. */
@@ -125,8 +128,8 @@ void grid_wall_images(
     Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */
 bool grid_is_ghost_row(const Grid *g, int row, int above); /* of a mirror across an axis > above */
 
-/* Which components unilateral walls hold at node i of a row, whose p and f are those of the equations
- * of motion over dt [s]; solve.c. */
+/* Which components unilateral walls hold at node i of a row, whose p and f are those of the
+ * equations of motion over dt [s]; solve.c. */
 unsigned grid_stops(const Grid *g, int row, int i, double dt);
 
 /* Node number of grid index `index`, or of its image if it lies beyond a symmetry line: then
