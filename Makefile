@@ -104,7 +104,7 @@ CORE_3      = core/main_3d fixture $(TEXTBOOK) $(patsubst %,core/test_%,textbook
               methods/test_shapes problems/test_mass
 CORE_1      = $(filter-out core/main_3d,$(CORE_3)) core/main_dim methods/test_methods methods/test_wls_hand \
               run/test_status run/test_measures run/test_ledger \
-              $(patsubst %,core/test_%,moment_pass invariants hard sort_and_walls dynamics published_errors rules)
+              $(patsubst %,core/test_%,moment_pass invariants hard on_nodes sort_and_walls dynamics published_errors rules)
 CORE_2      = $(CORE_1)
 TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_filter textbook_make)
 FEM_TESTS   = $(patsubst %,fem_ref/%,test_fem test_fem_scenes test_mesh) problems/test_ring

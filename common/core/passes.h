@@ -27,8 +27,8 @@ void gather_start_moments(Sim *sim);
 void gather_velocity(Sim *sim);
 
 /* Tents and particles on nodes: the slope there; on_node.c. After a deposit that saw such particles
- * mark_body notes which nodes are the body's; then they give their stress, and later gather L. */
-void clear_slopes_on_nodes(Stencil stencil[DIM]);
+ * mark_body notes which nodes are the body's; then they give their stress, and later gather L.
+ * (Their stencils: sim.h.) */
 void mark_body(Sim *sim);
 void deposit_on_nodes(Sim *sim, const struct Work *w);
 void gather_on_nodes(const Sim *sim, struct Work *w);

@@ -12,8 +12,8 @@
 #include "sim.h"
 #include "stretch.h"
 
-/* The widest vectors of this build. Lines within one are shuffled; wider ones are taken apart by
- * the compiler, which costs more than arithmetic with zeros and ones. */
+/* The widest vectors of this build. Lines within one are shuffled; the compiler takes wider ones
+ * apart, at a higher cost than arithmetic with zeros and ones. */
 #if defined(__AVX512F__)
 enum { VECTOR_BYTES = 64, REGISTERS = 16 }; /* half of them: the rest is at work */
 #elif defined(__AVX__)
@@ -33,7 +33,7 @@ enum { LINE_IS_VECTOR = (int)sizeof(Line) <= VECTOR_BYTES };
 typedef struct Work {
     Field x[DIM], b[DIM]; /* positions and half widths [cells], from node 0 */
     Stencil stencil[DIM];
-    bool on_node; /* some particle lies on a node, and G lacks its slope: on_node.c */
+    bool on_node; /* a particle lies on a node, and G lacks its slope: on_node.c */
     Payload payload;
     Field T[NMAT];
     Field sums[2 * LANES];
@@ -63,8 +63,6 @@ static inline void half_widths(const Sim *sim, const Chunk *c, int axis, Field b
     else
         half_widths_by(DOMAIN_UNDEFORMED, sim, c, axis, b);
 }
-
-void clear_slopes_on_nodes(Stencil stencil[DIM]); /* passes.h */
 
 /* Fills the stencils of all axes; returns their common width, the least that holds this chunk. */
 static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
@@ -128,8 +126,7 @@ axis_weight(const Stencil s[DIM], int d, int k, int p, const Pattern *q, const u
     return w;
 }
 
-/* What a particle's loop over nodes runs on: row weights and row starts, for `width` nodes an axis.
- */
+/* A particle's loop over rows of nodes, for `width` nodes an axis. */
 #define FOR_ROWS(r, width)                                                                         \
     for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? width : width * width); r++)
 
@@ -229,8 +226,7 @@ static inline __attribute__((always_inline)) void deposit(Grid *g, const Work *w
     if (runs) flush_run(g, sum, at, width);
 }
 
-/* A_p[lane] = sum_i w node[lane], the lanes from FLUX on weighted with the given table: T_G, T_R.
- */
+/* A_p[lane] = sum_i w node[lane], the lanes from FLUX on with the given table: T_G or T_R. */
 static inline __attribute__((always_inline)) void gather(const Grid *g, Work *w, const int width,
                                                          const int table)
 {

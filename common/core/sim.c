@@ -157,10 +157,8 @@ static void set_walls(Sim *sim)
 }
 
 /* Nodes with less than this part of a particle's mass are empty. With C1 weights the force falls as
- * the root of the mass, so that light nodes are safe. With tents it does not fall, but on_node.c
- * takes it from nodes that a particle reaches by less than ON_NODE along an axis; any others have
- * more than ON_NODE an axis, and are kept. WLS integrates masses over cells and cuts at round-off.
- */
+ * the root of the mass: light nodes are safe. With tents it does not fall, but on_node.c takes it
+ * from nodes reached by less than ON_NODE along an axis. WLS integrates masses over cells. */
 static double least_part(const Method *method)
 {
     if (method->smooth) return 1e-24;

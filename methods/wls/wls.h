@@ -10,6 +10,14 @@
  *   wls/nodes.c     spurious nodes and nodes without mass (3.5, 4.5)
  *   wls/step.c      their order, workspace
  *
+ * Momentum. Forces are integrals over cells, with sum_i G_i = 0 at every point: on the grid
+ * internal forces and the reactions at walls sum to nothing. Particles get dt sum_i M_i a_i with
+ * M_i = sum_p S_ip m_p, not dt sum_i m_i a_i, m_i being integrated: the return adds dt sum_i (M_i -
+ * m_i) a_i, an error of quadrature near surfaces and walls. Spurious nodes move with a mean a' of
+ * their neighbours: that adds dt m_i (a' - a_i) a node. The fit adds nothing, as particles keep
+ * their v and take a. All this is the ledger's drift; wls_book_change keeps it out of the walls'
+ * impulse.
+ *
  * Lengths are in cells; r = x_p - x_i. A node's function is f(r) = c0 + c . r of each quantity. */
 #ifndef MPMLAB_WLS_H
 #define MPMLAB_WLS_H

@@ -8,6 +8,7 @@ extern const TestCase material_tests[];
 extern const TestCase exact_tests[];
 extern const TestCase invariants_tests[];
 extern const TestCase hard_tests[];
+extern const TestCase on_nodes_tests[];
 extern const TestCase order_tests[];
 extern const TestCase dynamics_tests[];
 extern const TestCase spots_tests[];
@@ -41,6 +42,7 @@ int main(void)
         {"hard cases", hard_tests},
         {"mass", mass_tests},
         {"ledger", ledger_tests},
+        {"tents on nodes", on_nodes_tests},
         {NULL, NULL},
     };
     return check_run(suites);

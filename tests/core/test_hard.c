@@ -170,111 +170,6 @@ static void test_on_nodes(void)
     CU_ASSERT(compared >= 7);
 }
 
-/* ---- tents and particles on nodes: what the rule of on_node.c promises, and what went wrong
- * without it: L = -v/h, momentum from nowhere */
-
-/* `set` with a leading '1': one particle a cell. */
-static double *block_state(double cells, const char *method, Integrator i, const char *set,
-                           int steps, int *n)
-{
-    Rig r;
-    const bool one = set[0] == '1';
-    const Case c = {DIM, "block", cells, one ? 1 : 0, 0.3, set + one};
-    CU_ASSERT_FATAL(rig_plan(&r, &c, method, i, "allow_unstable=1"));
-    Sim *sim = rig_sim(&r);
-    CU_ASSERT(rig_steps(&r, sim, 0, steps));
-    double *s = rig_state(sim);
-    *n = sim->p.count;
-    sim_free(sim);
-    return s;
-}
-
-/* A body that only drifts: F stays 1, v as it is. Offsets put its edge on a node, or a round-off
- * beside it, or its corner so near one that the node's mass is no more than the product of two
- * small weights. A drift of 5/6 c goes from node to node in four steps. */
-static void test_drift_on_nodes(void)
-{
-    static const char *const set[] = {
-        "offset_x=0.25;drift_x=0.1",
-        "offset_x=-0.25;drift_x=-0.1;offset_y=0.25",
-        "drift_x=0.8333333333333334;drift_y=-0.8333333333333334",
-        "offset_x=0.2500000000000004;drift_x=1e-13;offset_y=-0.2500000000000004",
-        "offset_x=0.2499999;offset_y=0.2499999;drift_x=1e-9;drift_y=0.1",
-        "1offset_x=0.5;offset_y=0.5;drift_x=0.1",
-    };
-    for (int k = 0; k < COUNT(set); k++)
-        for (int ge = 0; ge < 2; ge++) FOR_INTEGRATORS(i)
-            {
-                int n;
-                double *s = block_state(4 << (k % 2), ge ? "ge_mpm" : "mpm", i, set[k], 20, &n);
-                for (int p = 0; p < n; p++) {
-                    for (int d = 0; d < NMAT; d++)
-                        CHECK_CLOSE(s[(AT_F + d) * n + p], d % (DIM + 1) == 0, 1e-13);
-                    CHECK_CLOSE(s[AT_V * n + p], s[AT_V * n], 1e-12 * speed);
-                }
-                free(s);
-            }
-}
-
-/* The same as a run says it: no error, no growth. */
-static void test_drift_row(void)
-{
-    const Row row = run("drift_x=0.5", "mpm", "cd", NULL);
-    CHECK_TEXT(row.status, "ok");
-    CU_ASSERT(row.error_linf < 1e-13);
-}
-
-/* A free body under stress, at rest: its momentum stays nothing, whatever lies on nodes. */
-static void test_stress_on_nodes(void)
-{
-    static const char *const set[] = {
-        "stretch=1.5;offset_x=0.375",
-        "stretch=1.5;offset_x=-0.375;offset_y=0.25",
-        "stretch=2;offset_x=0.5",
-        "stretch=1.2;offset_x=0.2;offset_y=0.25",
-        "stretch=1.1;offset_x=0.2249999;offset_y=0.2499999",
-        "stretch=0.5",
-        "1stretch=1.5;offset_x=0.25;offset_y=0.5",
-        "1stretch=4",
-    };
-    for (int k = 0; k < COUNT(set); k++)
-        for (int ge = 0; ge < 2; ge++) FOR_INTEGRATORS(i)
-            {
-                int n;
-                double *s = block_state(4, ge ? "ge_mpm" : "mpm", i, set[k], 1, &n);
-                for (int d = 0; d < DIM; d++) {
-                    double sum = 0;
-                    for (int p = 0; p < n; p++) sum += s[AT_M * n + p] * s[(AT_V + d) * n + p];
-                    CHECK_CLOSE(sum, 0, 1e-12 * speed);
-                }
-                free(s);
-            }
-}
-
-/* A body that turns or stretches, its velocity carried by GE: L is that of the motion, to
- * round-off, on nodes and off, at corners and edges. */
-static void test_linear_on_nodes(void)
-{
-    static const char *const at[] = {"offset_x=0.25", "offset_x=0.25;offset_y=0.25",
-                                     "1offset_x=0.5;offset_y=-0.5",
-                                     "offset_x=-0.25;offset_y=0.2499999"};
-    for (int k = 0; k < COUNT(at); k++)
-        for (int turn = 0; turn < DIM; turn++) {
-            int n;
-            char set[128];
-            snprintf(set, sizeof set, "%s;%s", at[k], turn ? "spin=0.5" : "rate=0.5");
-            double *s = block_state(8, "ge_mpm", USL, set, 1, &n);
-            const double w = 0.5 * speed;
-            for (int p = 0; p < n; p++)
-                for (int a = 0; a < DIM; a++)
-                    for (int b = 0; b < DIM; b++) {
-                        const double L = turn ? (b - a) * -w : a + b == 0 ? w : 0;
-                        CHECK_CLOSE(s[(AT_L + a * DIM + b) * n + p], L, 1e-10 * w);
-                    }
-            free(s);
-        }
-}
-
 /* H12: walls are given in another order: not a bit changes. */
 static void test_wall_order(void)
 {
@@ -351,10 +246,6 @@ const TestCase hard_tests[] = {
     {"an error only where there is an answer", test_answers},
     {"volume, J and angular momentum in histories", test_history},
     {"particles on nodes", test_on_nodes},
-    {"tents: a drifting body with particles on nodes", test_drift_on_nodes},
-    {"tents: the same, a whole run", test_drift_row},
-    {"tents: a stressed body with particles on nodes", test_stress_on_nodes},
-    {"tents: linear motion with particles on nodes", test_linear_on_nodes},
     {"walls in any order", test_wall_order},
     {"bodies of uneven particles", test_patch},
     {NULL, NULL},
