@@ -2,7 +2,8 @@
 # bare.sh RELEASE [ARCH [COMPILER]]: README's two commands on a machine that has nothing: debootstrap's smallest
 # Debian (bookworm, trixie, sid) with gcc, make and git, for amd64 or arm64 (by qemu-user-static), gcc or clang, and
 # in it a clone of the commit checked out here. Prints a row of README's table; the logs stay. Status 1 if anything
-# failed. arm64, which is slow, builds only, tests one unit and compares the ring's numbers with this machine's.
+# failed. On a foreign architecture, which is slow, it builds, runs one unit test (fem) and compares rows of the ring
+# and the bar with this machine's.
 #   BARE    folder for roots and logs (build/bare)       MIRROR  Debian archive (that of this machine's apt)
 #   QUICK=  set but empty: the full figures (hours)      KEEP=1  leaves the root that was tried, unmounted
 set -u
@@ -75,10 +76,11 @@ try() { # COMMAND...: sets `result` to ok and seconds, or to FAILED
     result=FAILED
     if "$@"; then result="ok, $((SECONDS - start)) s"; else wrong=1; fi
 }
-# The ring's row by each method without its three columns of time: a line each.
-ring() { # COMMAND-PREFIX...
-    for method in gimp wls2 ge_wls fem; do
-        "$@" build/mpmlab run ring --cells 8 --method "$method" --threads 1 | tail -n 1 | cut -d, -f1-17,21-
+# Rows of the ring (2D) and of the bar (1D) without their three columns of time.
+rows() { # COMMAND-PREFIX...
+    for words in "ring --method "{gimp,wls2,ge_wls,fem} "bar --method "{gimp,wls2}; do
+        # shellcheck disable=SC2086 # words
+        "$@" build/mpmlab run $words --cells 8 --threads 1 | tail -n 1 | cut -d, -f1-17,21-
     done
 }
 agree() { # FILE FILE: the largest difference of their numbers, relative (absolute below 1e-10), or what else differs
@@ -92,7 +94,7 @@ agree() { # FILE FILE: the largest difference of their numbers, relative (absolu
             d = a[k] - $k; m = (a[k] > 0 ? a[k] : -a[k]); if (m < 1e-10) m = 1
             if (d < 0) d = -d
             if (d / m > most) most = d / m } }
-        END { if (wrong) exit 1; printf "ring of %d methods within %.1g", NR / 2, most; exit !(NR > 1 && most < 1e-10) }'
+        END { if (wrong) exit 1; printf "%d rows of ring and bar within %.1g", NR / 2, most; exit !(NR > 1 && most < 1e-10) }'
 }
 
 wrong=0
@@ -109,12 +111,12 @@ if [ "$arch" = "$own" ]; then
     try inside "make CC=$compiler deps figures QUICK=$quick"
     figures="$result: $(find "$root/mpmlab/build/out" -name '*.svg' 2>/dev/null | wc -l)"
 else
-    try inside "make -j$(nproc) CC=$compiler build/tests/scenes && cd build/tests && ./scenes"
-    tests="scenes: $result"
+    try inside "make -j$(nproc) CC=$compiler build/tests/fem && cd build/tests && ./fem"
+    tests="fem: $result"
     (cd "$here" && make -s -j"$(nproc)" all) >>"$log" 2>&1 || die "no build here to compare with"
-    (cd "$here" && ring env) >"$log.own"
-    ring chroot "$root" env -C /mpmlab >"$log.ring" 2>>"$log"
-    tests="$tests; $(agree "$log.own" "$log.ring")" || wrong=1
+    (cd "$here" && rows env) >"$log.own"
+    rows chroot "$root" env -C /mpmlab >"$log.rows" 2>>"$log"
+    tests="$tests; $(agree "$log.own" "$log.rows")" || wrong=1
 fi
 warnings=$(grep -c 'warning:' "$log")
 [ "$warnings" -eq 0 ] || wrong=1
