@@ -37,6 +37,7 @@ have shellcheck && { shellcheck -S warning "${scripts[@]}" || complain "shellche
 have cppcheck && { check 1 common methods; check 2 common methods problems fem_ref studies tests; }
 
 bash tests/tools/rooms.sh || wrong=1
+bash tests/tools/test_rooms.sh "$BUILD" || wrong=1
 
 found=$(grep -rnE '#\s*(el)?if.*\bDIM\b' --include='*.[ch]' --exclude-dir=build . | grep -v '^./common/contract/dim\.h') &&
     complain "#if DIM outside common/contract/dim.h"$'\n'"$found"
