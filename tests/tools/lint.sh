@@ -30,6 +30,7 @@ done
 check() { # DIM, rooms
     cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
         --suppress=unknownMacro --suppress=missingInclude --suppress=ctunullpointer --suppress=uninitvar \
+        --suppress=legacyUninitvar --suppress=uninitStructMember --suppress=internalAstError \
         --suppress=arrayIndexOutOfBounds `# it does not follow branches on DIM` \
         --error-exitcode=1 -j "$(nproc)" "-DDIM=$1" "${@:2}" || complain "cppcheck, DIM=$1"
 }
