@@ -50,6 +50,6 @@ Mark grade_mark_of(double value, double ok, double weak);
  * ("column=value ..."), `each` of them of every method; NAN if one of them has no such row, was
  * lost, or is NAN. */
 Measure curve_worst(const Table *t, const char *methods, int each, const char *want,
-                               const char *where);
+                    const char *where);
 
 #endif
