@@ -78,7 +78,7 @@ if [ -d "$BUILD/gcc/d2" ]; then
         core=$BUILD/gcc/d$d/common/core
         stages "$core/mirror.o" 2 # visits, once a line of symmetry
         stages "$core/solve.o" 1  # repair
-        stages "$core/deposit.o" 10 # width and shapes twice (filters), payload, body force, assemble; distance
+        stages "$core/deposit.o" 14 # width and shapes thrice (filters, particles on nodes), payload, body force, assemble; distance
         stages "$core/gather.o" 11  # width and shapes thrice (filters, first moments), update (one call, two sites by gcc)
     done
 fi
