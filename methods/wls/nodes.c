@@ -97,7 +97,7 @@ static void repair_node(Sim *sim, size_t at, int row, const int index[DIM], doub
     for (int a = 0; a < DIM; a++) (*node)[1 + a] = (*node)[0] * v[a];
     if (repaired)
         wls_book_change(sim, row, at, dt, before,
-                        wls_held(&sim->g, row, index[0]) | grid_stops(&sim->g, row, index[0], dt));
+                        wls_held(&sim->g, row, index[0]) | sim_stops(&sim->g, row, index[0], dt));
 }
 
 void wls_repair_row(Sim *sim, int row, double dt)
