@@ -3,8 +3,9 @@
  * with a curved side (wls_squares.c), and v, a and L returned through the spline W. */
 #include "wls_params.h"
 
-static const Param params[] = WLS_PARAMS(QUADRATURE_EXACT, DISTANCE_CURVED, SPURIOUS_EXTRAPOLATE,
-                                         RETURN_SPLINE, MASS_CORRECTED, 2, 0.25);
+static const Param params[] =
+    WLS_PARAMS(QUADRATURE_EXACT, DISTANCE_CURVED, SPURIOUS_EXTRAPOLATE, RETURN_SPLINE,
+               MASS_CORRECTED, VELOCITY_PLAIN, MOTION_LAGGED, 2, 0.25);
 
 const Method method_ge_wls = {
     .info = {.name = "ge_wls",

@@ -7,6 +7,7 @@
  *   wls_squares.c   marching squares: the shape of a cut cell (eq 18)
  *   wls_cells.c     integrals over full and cut cells (eqs 19-24)
  *   wls_inertia.c   accelerations towards the consistent mass matrix
+ *   wls_velocity.c  velocities that get back what fit and return filter
  *   wls_nodes.c     spurious nodes and nodes without mass (3.5, 4.5)
  *   wls_step.c      their order, workspace
  *
@@ -25,6 +26,8 @@ enum {
     P_RETURN,
     P_AVERAGE,
     P_MASS,
+    P_VELOCITY,
+    P_MOTION,
     P_HERMITE,
     P_TRIGGER,
     P_SURFACE_PER_CELL
@@ -36,6 +39,8 @@ enum { SPURIOUS_CONSTANT, SPURIOUS_EXTRAPOLATE };
 enum { RETURN_LINEAR, RETURN_SPLINE };
 enum { AVERAGE_WEIGHTED, AVERAGE_LITERAL };
 enum { MASS_LUMPED, MASS_CORRECTED };
+enum { VELOCITY_PLAIN, VELOCITY_CORRECTED };
+enum { MOTION_LAGGED, MOTION_CONSISTENT };
 
 enum { CORNERS = 1 << DIM, PAIRS = DIM * (DIM + 1) / 2, NEIGHBOURS = IN_THIS_DIM(3, 9, 27) };
 
@@ -61,11 +66,21 @@ enum {
 enum { K_ONE, K_FIRST, K_NORMAL = K_FIRST + DIM, K_ALONG = K_NORMAL + DIM };
 enum { K_RR, K_RN = K_RR + PAIRS };
 
-/* Lanes of the mass correction: a0, M a0, row sum of M. */
-enum { I_A, I_MA = I_A + DIM, I_M = I_MA + DIM };
+/* The first half of a line, where the lanes of v are. */
+typedef double Half __attribute__((vector_size(LANES / 2 * sizeof(double)), may_alias));
+
+/* A node and the consistent mass matrix, M_ij = sum_q S_iq S_jq rho_q V_q [kg]. Lanes of `factor`
+ * and of `product` = M times it: a0, v. Lanes of `row`: its sum D_i = sum_j M_ij, and its first
+ * moments sum_j M_ij (x_j - x_i) [kg cell]. */
+enum { I_A, I_V = I_A + DIM };
+enum { I_SUM, I_FIRST };
+typedef struct Inertia {
+    Half factor, product, row;
+} Inertia;
 
 _Static_assert(M_BETA < (int)LANES && QUANTITIES <= (int)LANES && K_ALONG < (int)LANES &&
-                   K_RN + NMAT <= (int)LANES && I_M < (int)LANES,
+                   K_RN + NMAT <= (int)LANES && I_V + DIM <= LANES / 2 &&
+                   I_FIRST + DIM <= LANES / 2 && Q_V + DIM <= LANES / 2,
                "lanes");
 
 /* Number of the pair (d, e), d <= e, in row order. */
@@ -81,7 +96,8 @@ typedef struct Bend {
 } Bend;
 
 typedef struct Wls {
-    bool linear, exact, extrapolate, literal, corrected; /* choices: see the parameters */
+    bool linear, exact, extrapolate, literal; /* choices: see the parameters */
+    bool corrected, sharpened, lagged;        /* mass, velocity, motion */
     int distance_by;
     double hermite; /* g^2: weight of gradients in the fit of v */
     double trigger;
@@ -91,7 +107,7 @@ typedef struct Wls {
     Line (*skin)[2];     /* [nodes] sums over surface points, 0 but where `skinned` */
     bool *skinned;       /* [nodes] */
     Bend *bend;          /* [nodes] or NULL: all surfaces are straight */
-    Line *inertia;       /* [nodes] of the mass correction, or NULL */
+    Inertia *inertia;    /* [nodes] of the corrections by the mass matrix, or NULL */
     double *cell_mass;   /* [nodes] of the full cell above a node [kg], with it */
     double *most;        /* [nodes] largest W of any particle */
     double *distance;    /* [nodes] [cells] from the surface, > 0 inside */
@@ -143,14 +159,22 @@ enum { MAX_POINTS = 18 };
 int wls_cell_points(const double distance[CORNERS], const Bend *bend, bool exact,
                     double xi[MAX_POINTS][DIM], double weight[MAX_POINTS]);
 
-/* M a0 and the row sums of M, M_ij = sum_q S_iq S_jq rho_q V_q over the same points [kg], into
- * `inertia`. */
+/* Products of M over the same points with the factors in `inertia`, and its rows. */
 void wls_mass_times(Sim *sim);
 
 /* Accelerations corrected towards the consistent mass matrix: a = 2 a0 - D^-1 M a0 at good nodes,
- * after symmetry; written back as internal force. Then v of a node is to lag behind v + dt a. */
+ * after symmetry; written back as internal force. And velocities. Then v of a node may be held
+ * back, to lag behind v + dt a. */
 void wls_correct(Sim *sim);
 void wls_hold_back(const Sim *sim, size_t at, const int index[DIM], double dt, double v[DIM]);
+
+/* Velocities corrected by the same matrix: v of node `at` as a factor; then, after the product, in
+ * the node's plane. */
+void wls_velocity_start(Sim *sim, size_t at, int row, int i, unsigned held);
+void wls_velocity_finish(Wls *w, size_t at, unsigned held);
+
+/* v that a node has: of its own plane, or of its good neighbours' if it is spurious. */
+void wls_velocity_at(const Sim *sim, size_t at, const int index[DIM], double v[DIM]);
 
 /* Velocities, spurious and massless nodes of one row, after symmetry. */
 void wls_repair_row(Sim *sim, int row, double dt);

@@ -118,15 +118,44 @@ static inline void add_point(Sim *sim, const size_t corner[CORNERS], const Shape
     }
 }
 
-/* The same point's share of M a0 and of the row sums. */
-static inline void multiply_point(Wls *w, const size_t corner[CORNERS], const Shape *shape,
-                                  double mass)
+/* The share of one point, of `mass`, in the products with M. */
+static inline void multiply_point(Wls *w, const size_t corner[CORNERS], const double xi[DIM],
+                                  const Shape *shape, double mass)
 {
-    Line mean = {0}, add = {0};
-    for (int k = 0; k < CORNERS; k++) mean += shape->S[k] * w->inertia[corner[k]];
-    for (int a = 0; a < DIM; a++) add[I_MA + a] = mass * mean[I_A + a];
-    add[I_M] = mass;
-    for (int k = 0; k < CORNERS; k++) w->inertia[corner[k]] += shape->S[k] * add;
+    Half mean = {0}, row = {0};
+    for (int k = 0; k < CORNERS; k++) mean += shape->S[k] * w->inertia[corner[k]].factor;
+    mean *= mass;
+    row[I_SUM] = mass;
+    for (int k = 0; k < CORNERS; k++) {
+        Inertia *node = &w->inertia[corner[k]];
+        for (int d = 0; d < DIM; d++) row[I_FIRST + d] = mass * (xi[d] - (k >> d & 1));
+        node->product += shape->S[k] * mean;
+        node->row += shape->S[k] * row;
+    }
+}
+
+/* A full cell of constant density: M is its mass times a product over the axes of 1/3 (the same
+ * node) and 1/6 (the two nodes), the integrals of the tents' products. */
+static inline void multiply_full(Wls *w, const size_t corner[CORNERS], double mass)
+{
+    const double share = mass / CORNERS;
+    double scale = mass;
+    Half f[CORNERS], row = {0};
+    for (int d = 0; d < DIM; d++) scale /= 6;
+    for (int k = 0; k < CORNERS; k++) f[k] = scale * w->inertia[corner[k]].factor;
+    for (int d = 0; d < DIM; d++)
+        for (int k = 0; k < CORNERS; k++) {
+            if (k >> d & 1) continue;
+            const Half both = f[k] + f[k | 1 << d];
+            f[k] += both;
+            f[k | 1 << d] += both;
+        }
+    row[I_SUM] = share;
+    for (int k = 0; k < CORNERS; k++) {
+        for (int d = 0; d < DIM; d++) row[I_FIRST + d] = share * (k >> d & 1 ? -1.0 / 3 : 1.0 / 3);
+        w->inertia[corner[k]].product += f[k];
+        w->inertia[corner[k]].row += row;
+    }
 }
 
 static inline void take_point(Sim *sim, const size_t corner[CORNERS], const double xi[DIM],
@@ -138,22 +167,26 @@ static inline void take_point(Sim *sim, const size_t corner[CORNERS], const doub
     else if (task == INTEGRATE)
         add_point(sim, corner, shape, value, volume);
     else
-        multiply_point(wls_of(sim), corner, shape, value[Q_RHO] * volume * pow(sim->dx, DIM));
+        multiply_point(wls_of(sim), corner, xi, shape, value[Q_RHO] * volume * pow(sim->dx, DIM));
 }
 
-/* A full cell has one point, in the middle; its mass is kept for the products. */
+/* A full cell has one point, in the middle; its mass is kept for the products, which have that
+ * point, too, unless velocities are corrected: their factor 3/2 is that of the whole matrix. */
 static inline void take_full(Sim *sim, const size_t corner[CORNERS], const Shape *middle, Task task,
                              long *lost)
 {
     Wls *w = wls_of(sim);
     Line value;
     if (task == MULTIPLY) {
-        multiply_point(w, corner, middle, w->cell_mass[corner[0]]);
+        if (w->sharpened)
+            multiply_full(w, corner, w->cell_mass[corner[0]]);
+        else
+            multiply_point(w, corner, centre, middle, w->cell_mass[corner[0]]);
         return;
     }
     const bool known = value_at(w, corner, centre, middle, &value);
     if (known) add_point(sim, corner, middle, value, 1);
-    if (w->corrected) w->cell_mass[corner[0]] = known ? value[Q_RHO] * pow(sim->dx, DIM) : 0;
+    if (w->inertia) w->cell_mass[corner[0]] = known ? value[Q_RHO] * pow(sim->dx, DIM) : 0;
     *lost += !known;
 }
 

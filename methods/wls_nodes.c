@@ -76,6 +76,22 @@ static void move_along(Sim *sim, size_t at, Line *node, const Around *n)
     }
 }
 
+/* v of a spurious node: the mean of its good neighbours' planes there. */
+static void replace_velocity(const Wls *w, size_t at, const Around *n, double v[DIM])
+{
+    for (int a = 0; a < DIM && w->extrapolate && !w->good[at] && n->count > 0; a++)
+        v[a] = n->v[a] / n->count;
+}
+
+void wls_velocity_at(const Sim *sim, size_t at, const int index[DIM], double v[DIM])
+{
+    const Wls *w = sim->own;
+    for (int a = 0; a < DIM; a++) v[a] = w->fit[at][FIT_VALUE][Q_V + a];
+    if (w->good[at]) return;
+    const Around n = look_around(sim, index);
+    replace_velocity(w, at, &n, v);
+}
+
 static void repair_node(Sim *sim, size_t at, const int index[DIM], double dt, long *fallbacks)
 {
     const Wls *w = wls_of(sim);
@@ -85,13 +101,12 @@ static void repair_node(Sim *sim, size_t at, const int index[DIM], double dt, lo
     for (int a = 0; a < DIM; a++) v[a] = w->fit[at][FIT_VALUE][Q_V + a];
     if ((light && used) || !w->good[at]) {
         const Around n = look_around(sim, index);
-        for (int a = 0; a < DIM && w->extrapolate && !w->good[at] && n.count > 0; a++)
-            v[a] = n.v[a] / n.count;
+        replace_velocity(w, at, &n, v);
         if (light && used && w->body) move_along(sim, at, node, &n);
         if (!light && n.massive > 0) average_force(sim, at, node, &n);
         *fallbacks += used && !(n.massive > 0);
     }
-    if (w->corrected && (*node)[0] > sim->mass_cut) wls_hold_back(sim, at, index, dt, v);
+    if (w->lagged && (*node)[0] > sim->mass_cut) wls_hold_back(sim, at, index, dt, v);
     for (int a = 0; a < DIM; a++) (*node)[1 + a] = (*node)[0] * v[a];
 }
 

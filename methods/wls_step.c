@@ -24,6 +24,8 @@ bool wls_make(Sim *sim)
     w->extrapolate = par[P_SPURIOUS] > SPURIOUS_CONSTANT;
     w->literal = par[P_AVERAGE] > AVERAGE_WEIGHTED;
     w->corrected = par[P_MASS] > MASS_LUMPED;
+    w->sharpened = par[P_VELOCITY] > VELOCITY_PLAIN;
+    w->lagged = w->corrected && par[P_MOTION] < MOTION_CONSISTENT;
     w->hermite = par[P_HERMITE] * par[P_HERMITE];
     w->trigger = par[P_TRIGGER];
     w->inside = 2 * sim->setup->ppc / CORNERS; /* the paper's 2, at its two particles an axis */
@@ -33,7 +35,7 @@ bool wls_make(Sim *sim)
     w->skin = nodes_of(n, sizeof *w->skin);
     w->skinned = calloc(n + 1, sizeof *w->skinned);
     if (w->skin) memset(w->skin, 0, (n + 1) * sizeof *w->skin);
-    if (w->corrected) {
+    if (w->corrected || w->sharpened) {
         w->inertia = nodes_of(n, sizeof *w->inertia);
         w->cell_mass = nodes_of(n, sizeof *w->cell_mass);
     }
@@ -43,7 +45,7 @@ bool wls_make(Sim *sim)
     w->good = nodes_of(n, 1);
     w->fallbacks = calloc((size_t)g->rows, sizeof *w->fallbacks);
     return w->fit && w->skin && w->skinned && w->most && w->distance && w->good && w->fallbacks &&
-           ((w->inertia && w->cell_mass) || !w->corrected) &&
+           ((w->inertia && w->cell_mass) || !(w->corrected || w->sharpened)) &&
            (w->bend || w->distance_by != DISTANCE_CURVED);
 }
 
@@ -114,7 +116,7 @@ void wls_repair(Sim *sim, double dt)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row]) any = mark_sound(sim, row) || any;
     wls_of(sim)->body = any;
-    if (wls_of(sim)->corrected) wls_correct(sim);
+    if (wls_of(sim)->inertia) wls_correct(sim);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !grid_is_ghost_row(g, row, 0)) wls_repair_row(sim, row, dt);
