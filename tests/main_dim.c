@@ -15,6 +15,7 @@ extern const TestCase rules_tests[];
 extern const TestCase status_tests[];
 extern const TestCase methods_tests[];
 extern const TestCase remedies_tests[];
+extern const TestCase wls_symbols_tests[];
 
 int main(void)
 {
@@ -32,6 +33,7 @@ int main(void)
         {"status", status_tests},
         {"methods", methods_tests},
         {"remedies", remedies_tests},
+        {"wls symbols", wls_symbols_tests},
         {"hard cases", hard_tests},
         {NULL, NULL},
     };

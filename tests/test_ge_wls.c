@@ -96,7 +96,7 @@ static void test_gradients(void)
     for (int k = FIT_VALUE; k < FIT; k++) CHECK_CLOSE(fit[k][Q_RHO], plain[k][Q_RHO], 1e-13);
 }
 
-/* Sum of one lane times another field over all nodes. */
+/* Sum of one lane of M's products times another field over all nodes. */
 static double dot(const Sim *sim, int lane, const double *other)
 {
     const Grid *g = &sim->g;
@@ -104,7 +104,7 @@ static double dot(const Sim *sim, int lane, const double *other)
     for (int row = 0; row < g->rows; row++)
         for (int i = g->lo[row]; i < g->hi[row]; i++) {
             const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-            sum += wls_of(sim)->inertia[at][lane] * other[at];
+            sum += wls_of(sim)->inertia[at].product[lane] * other[at];
         }
     return sum;
 }
@@ -127,16 +127,17 @@ static void test_mass(void)
     for (int row = 0; row < g->rows; row++)
         for (int i = g->lo[row]; i < g->hi[row]; i++) {
             const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-            w->inertia[at] = (Line){0};
-            w->inertia[at][I_A] = x[at];
-            w->inertia[at][I_A + 1] = y[at];
+            w->inertia[at] = (Inertia){{0}, {0}, {0}};
+            w->inertia[at].factor[0] = x[at];
+            w->inertia[at].factor[1] = y[at];
+            w->inertia[at].factor[2] = 1;
             mass += g->node[at][0];
         }
     wls_mass_times(t.sim);
-    const double a = dot(t.sim, I_MA, y), b = dot(t.sim, I_MA + 1, x);
+    const double a = dot(t.sim, 0, y), b = dot(t.sim, 1, x);
     CHECK_CLOSE(a, b, 1e-14 * mass);
-    CHECK_CLOSE(dot(t.sim, I_MA, one), dot(t.sim, I_M, x), 1e-14 * mass);
-    CHECK_CLOSE(dot(t.sim, I_M, one), mass, 1e-13 * mass);
+    CHECK_CLOSE(dot(t.sim, 0, one), dot(t.sim, 2, x), 1e-14 * mass);
+    CHECK_CLOSE(dot(t.sim, 2, one), mass, 1e-13 * mass);
     CU_ASSERT(fabs(a) > 1e-6 * mass);
     free(x), free(y), free(one);
     trial_close(&t);
