@@ -90,7 +90,7 @@ FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/%.o,fuzz_run fuzz_sweep fuzz_files fu
 CORE_DIMS   = 1 2 3
 CORE_3      = main_3d rig twin twin_filter twin_make \
               $(patsubst %,test_%,twin shapes material exact remedies)
-CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract test_wls_symbols \
+CORE_1      = $(filter-out main_3d,$(CORE_3)) main_dim test_contract test_wls_symbols test_column \
               $(patsubst %,test_%,invariants hard order dynamics spots rules status methods)
 CORE_2      = $(CORE_1)
 FEM_TESTS   = test_fem test_fem_scenes test_mesh test_ring

@@ -16,6 +16,7 @@ extern const TestCase status_tests[];
 extern const TestCase methods_tests[];
 extern const TestCase remedies_tests[];
 extern const TestCase wls_symbols_tests[];
+extern const TestCase column_tests[];
 
 int main(void)
 {
@@ -34,6 +35,7 @@ int main(void)
         {"methods", methods_tests},
         {"remedies", remedies_tests},
         {"wls symbols", wls_symbols_tests},
+        {"column", column_tests},
         {"hard cases", hard_tests},
         {NULL, NULL},
     };
