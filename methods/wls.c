@@ -4,7 +4,7 @@
 
 static const Param params[] =
     WLS_PARAMS(QUADRATURE_CENTROID, DISTANCE_WEIGHTED_MEAN, SPURIOUS_CONSTANT, RETURN_LINEAR,
-               MASS_LUMPED, VELOCITY_PLAIN, MOTION_LAGGED, 0, 0.12);
+               AVERAGE_WEIGHTED, MASS_LUMPED, VELOCITY_PLAIN, MOTION_LAGGED, 0, 0.12);
 
 const Method method_wls = {
     .info = {.name = "wls",

@@ -8,6 +8,7 @@
  *   wls_cells.c     integrals over full and cut cells (eqs 19-24)
  *   wls_inertia.c   accelerations towards the consistent mass matrix
  *   wls_velocity.c  velocities that get back what fit and return filter
+ *   wls_spread.c    forces of spurious nodes to their neighbours
  *   wls_nodes.c     spurious nodes and nodes without mass (3.5, 4.5)
  *   wls_step.c      their order, workspace
  *
@@ -37,7 +38,7 @@ enum { QUADRATURE_CENTROID, QUADRATURE_EXACT };
 enum { DISTANCE_WEIGHTED_MEAN, DISTANCE_NORMALS, DISTANCE_CURVED, DISTANCE_EXACT };
 enum { SPURIOUS_CONSTANT, SPURIOUS_EXTRAPOLATE };
 enum { RETURN_LINEAR, RETURN_SPLINE };
-enum { AVERAGE_WEIGHTED, AVERAGE_LITERAL };
+enum { AVERAGE_WEIGHTED, AVERAGE_LITERAL, AVERAGE_FOLDED };
 enum { MASS_LUMPED, MASS_CORRECTED };
 enum { VELOCITY_PLAIN, VELOCITY_CORRECTED };
 enum { MOTION_LAGGED, MOTION_CONSISTENT };
@@ -96,8 +97,8 @@ typedef struct Bend {
 } Bend;
 
 typedef struct Wls {
-    bool linear, exact, extrapolate, literal; /* choices: see the parameters */
-    bool corrected, sharpened, lagged;        /* mass, velocity, motion */
+    bool linear, exact, extrapolate, literal, folded; /* choices: see the parameters */
+    bool corrected, sharpened, lagged;                /* mass, velocity, motion */
     int distance_by;
     double hermite; /* g^2: weight of gradients in the fit of v */
     double trigger;
@@ -168,13 +169,25 @@ void wls_mass_times(Sim *sim);
 void wls_correct(Sim *sim);
 void wls_hold_back(const Sim *sim, size_t at, const int index[DIM], double dt, double v[DIM]);
 
+/* Components that a wall holds or a symmetry line cancels at node i of a row; internal and body
+ * force of a node. */
+unsigned wls_held_at(const Grid *g, int row, int i);
+double wls_whole_force(const Grid *g, size_t at, int a);
+
+/* Hands what forces of spurious nodes their neighbours do not account for to these: into a0. */
+void wls_spread(Sim *sim);
+
 /* Velocities corrected by the same matrix: v of node `at` as a factor; then, after the product, in
  * the node's plane. */
 void wls_velocity_start(Sim *sim, size_t at, int row, int i, unsigned held);
-void wls_velocity_finish(Wls *w, size_t at, unsigned held);
+void wls_velocity_finish(Sim *sim, size_t at, int row, int i, unsigned held);
 
-/* v that a node has: of its own plane, or of its good neighbours' if it is spurious. */
-void wls_velocity_at(const Sim *sim, size_t at, const int index[DIM], double v[DIM]);
+/* Are all neighbours of node i of a row live and good, as most are? They may be ghosts, which are
+ * no better than their images. */
+bool wls_all_good(const Sim *sim, int row, int i);
+
+/* v of a spurious node from the planes of its good neighbours; left alone if there are none. */
+void wls_velocity_at(const Sim *sim, const int index[DIM], double v[DIM]);
 
 /* Velocities, spurious and massless nodes of one row, after symmetry. */
 void wls_repair_row(Sim *sim, int row, double dt);

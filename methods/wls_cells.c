@@ -3,6 +3,7 @@
  * (eq 24 lacks the sign and has sigma_i). The value at a point is the mean of the good nodes'
  * linear functions there, weights S. Full cells have one point. */
 #include <math.h>
+#include <string.h>
 #include "wls.h"
 #include "wls_squares.h"
 
@@ -63,6 +64,12 @@ typedef struct Shape {
     double S[CORNERS], G[CORNERS][DIM];
 } Shape;
 
+/* The middle of a full cell, and the rows of its corners in M. */
+typedef struct Middle {
+    Shape shape;
+    Half row[CORNERS];
+} Middle;
+
 static inline void shape_at(const double xi[DIM], Shape *out)
 {
     for (int k = 0; k < CORNERS; k++) {
@@ -118,29 +125,37 @@ static inline void add_point(Sim *sim, const size_t corner[CORNERS], const Shape
     }
 }
 
+/* 1 and `scale` (x - x_k) in the lanes of a row of M: of x [cells] and corner k of a cell. */
+static inline void row_lanes(const double x[DIM], double scale, Half out[CORNERS])
+{
+    for (int k = 0; k < CORNERS; k++) {
+        double lane[LANES / 2] = {[I_SUM] = 1};
+        for (int d = 0; d < DIM; d++) lane[I_FIRST + d] = scale * (x[d] - (k >> d & 1));
+        memcpy(&out[k], lane, sizeof lane);
+    }
+}
+
 /* The share of one point, of `mass`, in the products with M. */
 static inline void multiply_point(Wls *w, const size_t corner[CORNERS], const double xi[DIM],
                                   const Shape *shape, double mass)
 {
-    Half mean = {0}, row = {0};
+    Half mean = {0}, row[CORNERS];
     for (int k = 0; k < CORNERS; k++) mean += shape->S[k] * w->inertia[corner[k]].factor;
     mean *= mass;
-    row[I_SUM] = mass;
+    row_lanes(xi, 1, row);
     for (int k = 0; k < CORNERS; k++) {
-        Inertia *node = &w->inertia[corner[k]];
-        for (int d = 0; d < DIM; d++) row[I_FIRST + d] = mass * (xi[d] - (k >> d & 1));
-        node->product += shape->S[k] * mean;
-        node->row += shape->S[k] * row;
+        w->inertia[corner[k]].product += shape->S[k] * mean;
+        w->inertia[corner[k]].row += shape->S[k] * mass * row[k];
     }
 }
 
 /* A full cell of constant density: M is its mass times a product over the axes of 1/3 (the same
  * node) and 1/6 (the two nodes), the integrals of the tents' products. */
-static inline void multiply_full(Wls *w, const size_t corner[CORNERS], double mass)
+static inline void multiply_full(Wls *w, const size_t corner[CORNERS], const Half row[CORNERS],
+                                 double mass)
 {
-    const double share = mass / CORNERS;
     double scale = mass;
-    Half f[CORNERS], row = {0};
+    Half f[CORNERS];
     for (int d = 0; d < DIM; d++) scale /= 6;
     for (int k = 0; k < CORNERS; k++) f[k] = scale * w->inertia[corner[k]].factor;
     for (int d = 0; d < DIM; d++)
@@ -150,11 +165,9 @@ static inline void multiply_full(Wls *w, const size_t corner[CORNERS], double ma
             f[k] += both;
             f[k | 1 << d] += both;
         }
-    row[I_SUM] = share;
     for (int k = 0; k < CORNERS; k++) {
-        for (int d = 0; d < DIM; d++) row[I_FIRST + d] = share * (k >> d & 1 ? -1.0 / 3 : 1.0 / 3);
         w->inertia[corner[k]].product += f[k];
-        w->inertia[corner[k]].row += row;
+        w->inertia[corner[k]].row += mass / CORNERS * row[k];
     }
 }
 
@@ -172,25 +185,25 @@ static inline void take_point(Sim *sim, const size_t corner[CORNERS], const doub
 
 /* A full cell has one point, in the middle; its mass is kept for the products, which have that
  * point, too, unless velocities are corrected: their factor 3/2 is that of the whole matrix. */
-static inline void take_full(Sim *sim, const size_t corner[CORNERS], const Shape *middle, Task task,
+static inline void take_full(Sim *sim, const size_t corner[CORNERS], const Middle *m, Task task,
                              long *lost)
 {
     Wls *w = wls_of(sim);
     Line value;
     if (task == MULTIPLY) {
         if (w->sharpened)
-            multiply_full(w, corner, w->cell_mass[corner[0]]);
+            multiply_full(w, corner, m->row, w->cell_mass[corner[0]]);
         else
-            multiply_point(w, corner, centre, middle, w->cell_mass[corner[0]]);
+            multiply_point(w, corner, centre, &m->shape, w->cell_mass[corner[0]]);
         return;
     }
-    const bool known = value_at(w, corner, centre, middle, &value);
-    if (known) add_point(sim, corner, middle, value, 1);
+    const bool known = value_at(w, corner, centre, &m->shape, &value);
+    if (known) add_point(sim, corner, &m->shape, value, 1);
     if (w->inertia) w->cell_mass[corner[0]] = known ? value[Q_RHO] * pow(sim->dx, DIM) : 0;
     *lost += !known;
 }
 
-static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, const Shape *middle,
+static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, const Middle *m,
                              Task task, long *lost)
 {
     Wls *w = wls_of(sim);
@@ -198,7 +211,7 @@ static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, c
     Bend bend[CORNERS];
     Shape shape;
     if (mask == (1 << CORNERS) - 1) {
-        take_full(sim, corner, middle, task, lost);
+        take_full(sim, corner, m, task, lost);
         return;
     }
     for (int k = 0; k < CORNERS; k++) {
@@ -228,7 +241,7 @@ static inline void take_row(Sim *sim, int row, Task task)
     Wls *w = wls_of(sim);
     size_t offset[CORNERS];
     int lo = g->lo[row], hi = g->hi[row], rest = row;
-    Shape middle;
+    Middle middle;
     for (int d = 1; d < DIM; d++) {
         if (rest % g->n[d] + 1 >= g->n[d] || wls_mirrored_cell(g, d, rest % g->n[d])) return;
         rest /= g->n[d];
@@ -243,7 +256,8 @@ static inline void take_row(Sim *sim, int row, Task task)
         lo = g->lo[row + up] > lo ? g->lo[row + up] : lo;
         hi = g->hi[row + up] < hi ? g->hi[row + up] : hi;
     }
-    shape_at(centre, &middle);
+    shape_at(centre, &middle.shape);
+    row_lanes(centre, 2.0 / 3, middle.row);
     for (int i = lo; lo < hi && i + 1 < hi; i++) {
         size_t corner[CORNERS];
         int mask = 0;

@@ -13,7 +13,7 @@
 #include "wls.h"
 
 /* Components that a wall holds or a symmetry line cancels at node i of a row. */
-static unsigned held_at(const Grid *g, int row, int i)
+unsigned wls_held_at(const Grid *g, int row, int i)
 {
     int index[DIM];
     unsigned held = 0;
@@ -25,7 +25,7 @@ static unsigned held_at(const Grid *g, int row, int i)
     return held;
 }
 
-static double whole_force(const Grid *g, size_t at, int a)
+double wls_whole_force(const Grid *g, size_t at, int a)
 {
     double f = g->force ? g->force[at * DIM + (size_t)a] : 0;
     for (int b = 0; b < DIM; b++) f += g->node[at][FLUX + b * DIM + a];
@@ -39,11 +39,11 @@ static void start_row(Sim *sim, int row)
     Wls *w = wls_of(sim);
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-        const unsigned held = held_at(g, row, i);
+        const unsigned held = wls_held_at(g, row, i);
         const double mass = g->node[at][0];
         w->inertia[at] = (Inertia){{0}, {0}, {0}};
         for (int a = 0; a < DIM && w->corrected && mass > sim->mass_cut; a++)
-            if (!(held >> a & 1)) w->inertia[at].factor[I_A + a] = whole_force(g, at, a) / mass;
+            if (!(held >> a & 1)) w->inertia[at].factor[I_A + a] = wls_whole_force(g, at, a) / mass;
         if (w->sharpened) wls_velocity_start(sim, at, row, i, held);
     }
 }
@@ -58,8 +58,8 @@ static void finish_row(Sim *sim, int row)
         const Inertia in = w->inertia[at];
         Line *node = &g->node[at];
         if (!wls_is_sound(sim, at) || !(in.row[I_SUM] > 0)) continue;
-        const unsigned held = held_at(g, row, i);
-        if (w->sharpened) wls_velocity_finish(w, at, held);
+        const unsigned held = wls_held_at(g, row, i);
+        if (w->sharpened) wls_velocity_finish(sim, at, row, i, held);
         for (int a = 0; a < DIM && w->corrected; a++) {
             const double acc =
                 held >> a & 1 ? 0 : 2 * in.factor[I_A + a] - in.product[I_A + a] / in.row[I_SUM];
@@ -76,6 +76,7 @@ void wls_correct(Sim *sim)
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row]) start_row(sim, row);
+    if (wls_of(sim)->folded) wls_spread(sim);
     wls_mass_times(sim);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
@@ -121,5 +122,6 @@ void wls_hold_back(const Sim *sim, size_t at, const int index[DIM], double dt, d
         for (int a = 0; a < DIM && in->row[I_SUM] > 0; a++)
             v[a] += dt * (in->factor[I_A + a] - in->product[I_A + a]);
     else if (extrapolated(sim, index, acc))
-        for (int a = 0; a < DIM; a++) v[a] += dt * (acc[a] - whole_force(&sim->g, at, a) / mass);
+        for (int a = 0; a < DIM; a++)
+            v[a] += dt * (acc[a] - wls_whole_force(&sim->g, at, a) / mass);
 }

@@ -76,20 +76,28 @@ static void move_along(Sim *sim, size_t at, Line *node, const Around *n)
     }
 }
 
-/* v of a spurious node: the mean of its good neighbours' planes there. */
-static void replace_velocity(const Wls *w, size_t at, const Around *n, double v[DIM])
+bool wls_all_good(const Sim *sim, int row, int i)
 {
-    for (int a = 0; a < DIM && w->extrapolate && !w->good[at] && n->count > 0; a++)
-        v[a] = n->v[a] / n->count;
+    const Grid *g = &sim->g;
+    for (int k = 0; k < NEIGHBOURS / 3; k++) {
+        int next = row, stride = 1, rest = k;
+        for (int d = 1; d < DIM; d++, rest /= 3) {
+            next += (rest % 3 - 1) * stride;
+            stride *= g->n[d];
+        }
+        if (next < 0 || next >= g->rows || i <= g->lo[next] || i + 1 >= g->hi[next]) return false;
+        const unsigned char *good =
+            wls_of(sim)->good + (size_t)next * (size_t)g->n[0] + (size_t)i - 1;
+        if (!good[0] || !good[1] || !good[2]) return false;
+    }
+    return true;
 }
 
-void wls_velocity_at(const Sim *sim, size_t at, const int index[DIM], double v[DIM])
+void wls_velocity_at(const Sim *sim, const int index[DIM], double v[DIM])
 {
-    const Wls *w = sim->own;
-    for (int a = 0; a < DIM; a++) v[a] = w->fit[at][FIT_VALUE][Q_V + a];
-    if (w->good[at]) return;
     const Around n = look_around(sim, index);
-    replace_velocity(w, at, &n, v);
+    for (int a = 0; a < DIM && wls_of(sim)->extrapolate && n.count > 0; a++)
+        v[a] = n.v[a] / n.count;
 }
 
 static void repair_node(Sim *sim, size_t at, const int index[DIM], double dt, long *fallbacks)
@@ -101,7 +109,8 @@ static void repair_node(Sim *sim, size_t at, const int index[DIM], double dt, lo
     for (int a = 0; a < DIM; a++) v[a] = w->fit[at][FIT_VALUE][Q_V + a];
     if ((light && used) || !w->good[at]) {
         const Around n = look_around(sim, index);
-        replace_velocity(w, at, &n, v);
+        for (int a = 0; a < DIM && w->extrapolate && !w->good[at] && n.count > 0; a++)
+            v[a] = n.v[a] / n.count;
         if (light && used && w->body) move_along(sim, at, node, &n);
         if (!light && n.massive > 0) average_force(sim, at, node, &n);
         *fallbacks += used && !(n.massive > 0);

@@ -12,7 +12,8 @@
 #define WLS_NUMBER(at, name, value, most, about, source)                                           \
     [at] = {name, value, 0, most, "", about, source, NULL}
 
-#define WLS_PARAMS(quadrature, distance, spurious, back, mass, velocity, motion, hermite, trigger) \
+#define WLS_PARAMS(quadrature, distance, spurious, back, average, mass, velocity, motion, hermite, \
+                   trigger)                                                                        \
     {                                                                                              \
         WLS_CHOICE(P_STRESS, "stress", STRESS_LINEAR, 1,                                           \
                    "values at a point from the nodes' linear functions, or their values only",     \
@@ -32,9 +33,10 @@
             WLS_CHOICE(P_RETURN, "return", back, 1, "what takes v, a and L back to particles",     \
                        "W11 eqs 5, 6", "linear|spline"),                                           \
             WLS_CHOICE(                                                                            \
-                P_AVERAGE, "average", AVERAGE_WEIGHTED, 1,                                         \
-                "force of spurious nodes: by mass, or the plain mean as printed (blows up)",       \
-                "W11 4.5", "weighted|literal"),                                                    \
+                P_AVERAGE, "average", average, 2,                                                  \
+                "force of spurious nodes: by mass; the plain mean as printed (blows up); by "      \
+                "mass, and their own goes to their good neighbours",                               \
+                "W11 4.5", "weighted|literal|folded"),                                             \
             WLS_CHOICE(                                                                            \
                 P_MASS, "mass", mass, 1,                                                           \
                 "accelerations by row sums of the mass matrix, or corrected towards the matrix",   \

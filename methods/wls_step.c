@@ -22,7 +22,8 @@ bool wls_make(Sim *sim)
     w->exact = par[P_QUADRATURE] > QUADRATURE_CENTROID;
     w->distance_by = (int)par[P_DISTANCE];
     w->extrapolate = par[P_SPURIOUS] > SPURIOUS_CONSTANT;
-    w->literal = par[P_AVERAGE] > AVERAGE_WEIGHTED;
+    w->literal = (int)par[P_AVERAGE] == AVERAGE_LITERAL;
+    w->folded = (int)par[P_AVERAGE] == AVERAGE_FOLDED;
     w->corrected = par[P_MASS] > MASS_LUMPED;
     w->sharpened = par[P_VELOCITY] > VELOCITY_PLAIN;
     w->lagged = w->corrected && par[P_MOTION] < MOTION_CONSISTENT;
