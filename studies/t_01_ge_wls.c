@@ -1,7 +1,7 @@
-/* t_01_ge_wls.c: gradient-enhanced WLS taken apart and doubted: what each part buys, one removed at
- * a time, on ring, axis_mms, plate and disk; then whole rings off the grid lines, long times,
- * denser particles and many time steps, beside FEM at equal mesh size. The parts were chosen on one
- * ring; the other scenes show what of that is luck. Errors as in the rows; CFL .3 on the ring. */
+/* t_01_ge_wls.c: gradient-enhanced WLS with one part removed at a time, on ring, axis_mms, vortex,
+ * plate and disk; then whole rings off the grid lines, long times, denser particles and many time
+ * steps, beside FEM at equal mesh size. Most parts were chosen on one ring; the other scenes show
+ * what of that is luck. Errors as in the rows; CFL .3 on the ring. */
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <string.h>
@@ -11,17 +11,18 @@
 static const char name[] = "t_01_ge_wls";
 
 /* The parts in the order in which rows spell them, and what stands there without them. */
-enum { DISTANCE, HERMITE, MASS, RETURN, PARTS };
+enum { AVERAGE, DISTANCE, HERMITE, MASS, MOTION, RETURN, VELOCITY, PARTS };
 static const struct {
     const char *setting, *with, *without;
-} parts[PARTS] = {[DISTANCE] = {"distance", "curved", "normals"},
-                  [HERMITE] = {"hermite", "2", "0"},
-                  [MASS] = {"mass", "corrected", "lumped"},
-                  [RETURN] = {"return", "spline", "linear"}};
+} parts[PARTS] = {
+    [AVERAGE] = {"average", "folded", "weighted"},  [DISTANCE] = {"distance", "curved", "normals"},
+    [HERMITE] = {"hermite", "1000", "0"},           [MASS] = {"mass", "corrected", "lumped"},
+    [MOTION] = {"motion", "consistent", "lagged"},  [RETURN] = {"return", "spline", "linear"},
+    [VELOCITY] = {"velocity", "corrected", "plain"}};
 
-enum { MESHES = 9, COARSE = 7, OFFSETS = 10, STEPS = 6, TIMES = 2 };
+enum { MESHES = 9, COARSE = 7, OFFSETS = 10, STEPS = 7, TIMES = 2 };
 static const int cells[MESHES] = {8, 11, 16, 23, 32, 45, 64, 91, 128};
-static const double cfl[STEPS] = {0.05, 0.1, 0.2, 0.4, 0.6, 0.8};
+static const double cfl[STEPS] = {0.05, 0.1, 0.2, 0.4, 0.6, 0.7, 0.8};
 static const double t_end[TIMES] = {0.08, 0.4}; /* 4 and 20 periods */
 static const double late = 4;                   /* [s] the disk's second impact is over */
 static const char *const rivals[] = {"ge_wls", "wls2", "fem"};
@@ -43,8 +44,10 @@ static void add_parts(Cases *list, bool quick)
             snprintf(set, sizeof set, " --set %s=%s", parts[part].setting, parts[part].without);
         for (int k = 0; k < (quick ? 2 : COARSE); k++)
             if (part >= 0) case_add(list, "run ring --method ge_wls --cells %d%s", cells[k], set);
-        for (int n = 16; part >= 0 && n <= (quick ? 16 : 32); n *= 2)
+        for (int n = 16; part >= 0 && n <= (quick ? 16 : 32); n *= 2) {
             case_add(list, "run axis_mms --method ge_wls --cells %d%s", n, set);
+            case_add(list, "run vortex --method ge_wls --cells %d --set G=0.2 --cfl 0.1%s", n, set);
+        }
         snprintf(file, sizeof file, "%s.plate.%d.csv", name, part);
         case_add_with(list, "samples", file, "run hole_plate --method ge_wls --cells %d%s",
                       quick ? 8 : 32, set);
@@ -155,14 +158,13 @@ static double worst_share(const Table *rows, const char *norm, int from, int to)
 static void check_ring(Check *c, const Table *rows)
 {
     claim(c, "T-1b.linf", "ring: largest error over FEM's, worst of N = 16 ... 64",
-          worst_share(rows, "error_linf", 16, 64), 0, 0.9);
-    claim(c, "T-1b.linf-fine", "the same at N = 91 and 128",
-          worst_share(rows, "error_linf", 91, 128), 0, 1.05);
-    claim_differs(c, "T-1b.rms", "rms error over FEM's, worst of N = 16 ... 45",
-                  worst_share(rows, "error_l2", 16, 45), 0, 0.85, 0.85, 0.87,
-                  "N = 23 alone is above: .71, .858, .76, .77 at 16, 23, 32, 45");
-    claim(c, "T-1b.rms-fine", "the same for N = 64 ... 128", worst_share(rows, "error_l2", 64, 128),
-          0, 0.75);
+          worst_share(rows, "error_linf", 16, 64), 0, 0.85);
+    claim(c, "T-1b.linf-fine", "ring: largest error over FEM's, worst of N = 91 and 128",
+          worst_share(rows, "error_linf", 91, 128), 0, 1);
+    claim(c, "T-1b.rms", "ring: rms error over FEM's, worst of N = 16 ... 45",
+          worst_share(rows, "error_l2", 16, 45), 0, 0.75);
+    claim(c, "T-1b.rms-fine", "ring: rms error over FEM's, worst of N = 64 ... 128",
+          worst_share(rows, "error_l2", 64, 128), 0, 0.75);
     for (int n = 32; n <= 64; n *= 2) {
         char id[32], text[96];
         snprintf(id, sizeof id, "T-1b.four-%d", n);
@@ -195,16 +197,16 @@ static void check_doubts(Check *c, const Table *rows)
     const int n = offsets(rows, "ge_wls", &mean[0], &sd[0]);
     offsets(rows, "fem", &mean[1], &sd[1]);
     claim(c, "T-1b.offsets", "whole rings at ten offsets and angles, N = 32: mean error over FEM's",
-          n == OFFSETS ? mean[0] / mean[1] : NAN, 0, 1);
+          n == OFFSETS ? mean[0] / mean[1] : NAN, 0, 0.8);
     note_number(c, "spread", sd[0] / mean[0]);
-    for (int k = 0; k < STEPS; k++) {
+    for (int k = 0; k < STEPS - 1; k++) {
         const double s =
             value_pick(rows, "error_linf", "problem=ring method=ge_wls cells=32 cfl=%.17g",
                        cfl[k]) /
             value_pick(rows, "error_linf", "problem=ring method=fem cells=32 cfl=0.05");
         worst = s <= worst ? worst : s;
     }
-    claim(c, "T-1b.cfl", "CFL .05 to .8, N = 32: largest error over FEM's at CFL .05", worst, 0, 1);
+    claim(c, "T-1b.cfl", "CFL .05 to .7, N = 32: largest error over FEM's at CFL .05", worst, 0, 1);
     for (int row = 0; row < rows->nrow; row++)
         lost += strcmp(table_text(rows, row, "method"), rivals[0]) == 0 && is_lost(rows, row);
     claim(c, "T-1b.lost", "runs of ge_wls lost, of all here, parts removed included", lost, 0, 0);
@@ -212,12 +214,11 @@ static void check_doubts(Check *c, const Table *rows)
           value_of(rows, "vortex", "ge_wls", 32, NULL, "error_linf") /
               value_of(rows, "vortex", "fem", 32, NULL, "error_linf"),
           0, 1);
-    claim_differs(c, "T-1b.axis", "axis-aligned displacement, N = 32: largest error over FEM's",
-                  value_of(rows, "axis_mms", "ge_wls", 32, NULL, "error_linf") /
-                      value_of(rows, "axis_mms", "fem", 32, NULL, "error_linf"),
-                  0, 1, 1, 2,
-                  "a body without free surface: what the fits filter inside is mended to second "
-                  "order only");
+    claim(c, "T-1b.axis",
+          "axis-aligned displacement (no free surface), N = 32: largest error over FEM's",
+          value_of(rows, "axis_mms", "ge_wls", 32, NULL, "error_linf") /
+              value_of(rows, "axis_mms", "fem", 32, NULL, "error_linf"),
+          0, 0.3);
 }
 
 /* Each part must earn its place somewhere: the largest of its gains. */

@@ -129,9 +129,10 @@ static void pick(Curve *c, const Table *rows, const char *want, int run)
 {
     curve_pick(c, rows, "cells", want,
                "method=%s params=A=0.1;angle=0;average=%s;distance=%s;hermite=0;mass=lumped;"
-               "offset_x=0;offset_y=0;quadrature=%s;return=%s;sector=quarter;spurious_velocity=%s;"
+               "motion=lagged;offset_x=0;offset_y=0;quadrature=%s;return=%s;sector=quarter;"
+               "spurious_velocity=%s;"
                "stress=%s;"
-               "surface_per_cell=0;trigger=%s",
+               "surface_per_cell=0;trigger=%s;velocity=plain",
                runs[run].cures ? "wls2" : "wls", setting(run, AVERAGE), setting(run, DISTANCE),
                setting(run, QUADRATURE), setting(run, RETURN), setting(run, SPURIOUS),
                setting(run, STRESS), setting(run, TRIGGER));
