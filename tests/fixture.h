@@ -1,5 +1,4 @@
-/* fixture.h: how the tests of the particle core set up scenes and look at particles in placement order.
- */
+/* fixture.h: how tests of the particle core set up scenes and read particles in placement order. */
 #ifndef MPMLAB_FIXTURE_H
 #define MPMLAB_FIXTURE_H
 

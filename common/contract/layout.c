@@ -104,13 +104,13 @@ static double comb_at(const Comb *c, long k)
  * body, those of the lattice from the origin that lie inside. */
 static void place_lattice(Layout *out, const Scene *scene, double s)
 {
-    bool (*const inside)(const Scene *, const Vec) = scene->problem->inside;
+    const Problem *problem = scene->problem;
     Comb comb[DIM];
     long total = 1;
     double volume = 1;
     for (int d = 0; d < DIM; d++) {
         const double lo = scene->body_lo[d], hi = scene->body_hi[d];
-        comb[d] = inside ? comb_over(lo, hi, s) : comb_within(lo, hi, s);
+        comb[d] = problem->inside ? comb_over(lo, hi, s) : comb_within(lo, hi, s);
         total *= comb[d].n;
         volume *= comb[d].step;
     }
@@ -124,7 +124,7 @@ static void place_lattice(Layout *out, const Scene *scene, double s)
             rest /= comb[d].n;
             in = in && X[d] > scene->body_lo[d] && X[d] < scene->body_hi[d];
         }
-        if (in && (!inside || inside(scene, X))) layout_add(out, X, volume, NULL);
+        if (in && (!problem->inside || problem->inside(scene, X))) layout_add(out, X, volume, NULL);
     }
 }
 

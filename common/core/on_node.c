@@ -36,12 +36,11 @@ static bool lies_on_node(const Stencil *s, int p)
     return s->table[T_S][0][p] * s->table[T_S][1][p] < ON_NODE;
 }
 
-void clear_slopes_on_nodes(Stencil stencil[DIM])
+bool clear_slopes_on_nodes(Stencil *s)
 {
-    for (int d = 0; d < DIM; d++)
-        for (int p = 0; p < CHUNK && stencil[d].on_node; p++)
-            if (lies_on_node(&stencil[d], p))
-                stencil[d].table[T_G][0][p] = stencil[d].table[T_G][1][p] = 0;
+    for (int p = 0; p < CHUNK; p++)
+        if (lies_on_node(s, p)) s->table[T_G][0][p] = s->table[T_G][1][p] = 0;
+    return true;
 }
 
 static void mark_row(Sim *sim, int row)

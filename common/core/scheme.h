@@ -1,6 +1,5 @@
 /* scheme.h: the particle-grid loops, written once: stencils of a chunk, deposit to nodes, gather
- * from nodes. Bodies are always inlined so that stencil width and slopes are constants in each
- * instance.
+ * from nodes. Always inlined, so that stencil width and slopes are constants in each instance.
  *
  * One vector of LANES weights per particle and node serves both directions: lanes below FLUX carry
  * S, the lanes of axis b from FLUX on carry the derivative along b. It is the product of one vector
@@ -80,9 +79,8 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
     for (int d = 0; d < DIM; d++) {
         w->stencil[d].on_node = false;
         method->shape(&sim->g.axis[d], width, w->x[d], w->b[d], &w->stencil[d]);
-        w->on_node |= w->stencil[d].on_node;
+        if (w->stencil[d].on_node) w->on_node = clear_slopes_on_nodes(&w->stencil[d]);
     }
-    if (w->on_node) clear_slopes_on_nodes(w->stencil);
     return width;
 }
 
@@ -155,13 +153,9 @@ row_weight(const Stencil s[DIM], const Pattern *q, int p, int width, int r, cons
     return y;
 }
 
-/* Can a whole stencil of 3 nodes an axis wait in vector registers? */
+/* Does a stencil of 3 nodes an axis fit in vector registers? */
 #define FITS_REGISTERS(width)                                                                      \
-    ((width) <= 3 && (DIM == 1   ? 3                                                               \
-                      : DIM == 2 ? 9                                                               \
-                                 : 27) *                                                           \
-                             (int)sizeof(Line) <=                                                  \
-                         REGISTERS * VECTOR_BYTES)
+    ((width) <= 3 && IN_THIS_DIM(3, 9, 27) * (int)sizeof(Line) <= REGISTERS * VECTOR_BYTES)
 
 static inline __attribute__((always_inline)) void flush_run(Grid *g, Line sum[9], size_t at,
                                                             const int width)

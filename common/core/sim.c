@@ -209,8 +209,7 @@ static bool start_particles(Sim *sim)
     return true;
 }
 
-/* Widest half width now [cells], for the first plan. The factor `half` stays outside the loop: with
- * it inside, gcc 12 for arm64 stops with an internal error (vect_transform_reduction, 1D, -O3). */
+/* Widest half width now [cells]. (gcc 12 for arm64 fails at -O3 with `half` inside the loop.) */
 static double widest_now(const Sim *sim)
 {
     double most = 0;

@@ -112,8 +112,8 @@ bool sim_is_valid(const Sim *sim);
 /* Sorts particles by cell, rebuilds blocks, padding and live spans; sort.c. */
 void sim_sort(Sim *sim);
 
-/* G = 0 for particles on nodes, whose slope is not the tent's; on_node.c. */
-void clear_slopes_on_nodes(Stencil stencil[DIM]);
+/* G = 0 for particles on nodes, whose slope is not the tent's; returns true; on_node.c. */
+bool clear_slopes_on_nodes(Stencil *stencil);
 
 /* Symmetry: ghosts beyond each mirror line are added to their images (fold, after a deposit; body
  * force too) and filled from them (unfold, before a gather); mirror.c. All by parity per component,

@@ -172,11 +172,10 @@ static int write_grades(const char *dir, Fault *fault)
     Table *t = table_read_part(dir, name, "force", fault);
     FILE *f = t ? grades_begin(dir, name, fault) : NULL;
     for (const Info *const *m = engine_2d.methods; f && *m; m++) {
-        const double tiles =
-            worse(curve_worst_of_methods(t, (*m)->name, 1, "largest", "kind=bar").value,
-                  curve_worst_of_methods(t, (*m)->name, 1, "largest", "kind=stretch").value);
+        const double tiles = worse(curve_worst(t, (*m)->name, 1, "largest", "kind=bar").value,
+                                   curve_worst(t, (*m)->name, 1, "largest", "kind=stretch").value);
         const double any =
-            worse(tiles, curve_worst_of_methods(t, (*m)->name, 1, "largest", "kind=turned").value);
+            worse(tiles, curve_worst(t, (*m)->name, 1, "largest", "kind=turned").value);
         if (!has_grid(&engine_2d, (*m)->name)) continue;
         grade_add(f, "H1", (*m)->name, grade_mark_of(any, NOTHING, 0.1),
                   any <= NOTHING     ? "no force inside, at any offset"
@@ -220,17 +219,17 @@ static void check(Check *c, const Table *rows, const char *dir)
                 1 / share),
           0.99, 1.01);
     claim(c, "H1.gimp", "GIMP, GE-GIMP: no force while boxes tile space (bar, stretch)",
-          largest(curve_worst_of_methods(t, "gimp ge_gimp", MESHES, "largest", "kind=bar"),
-                  curve_worst_of_methods(t, "gimp ge_gimp", MESHES, "largest", "kind=stretch")),
+          largest(curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=bar"),
+                  curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=stretch")),
           0, NOTHING);
     claim(c, "H1.gimp-turned",
           "turned by 30 degrees they do not tile it, on any mesh: least of the forces",
           select_value(t, "largest", "method=gimp kind=turned cells=%d", kinds[2].cells[2]), 1e-3,
           1);
     claim(c, "H1.wls", "WLS in the plane and WLS2: no force, turned or not",
-          largest(curve_worst_of_methods(t, "wls2", KINDS * MESHES, "largest", ""),
-                  largest(curve_worst_of_methods(t, "wls", MESHES, "largest", "kind=stretch"),
-                          curve_worst_of_methods(t, "wls", MESHES, "largest", "kind=turned"))),
+          largest(curve_worst(t, "wls2", KINDS * MESHES, "largest", ""),
+                  largest(curve_worst(t, "wls", MESHES, "largest", "kind=stretch"),
+                          curve_worst(t, "wls", MESHES, "largest", "kind=turned"))),
           0, NOTHING);
     claim_differs(c, "H1.wls-bar", "WLS, the bar's coarsest mesh: runs lost, of four offsets",
                   count_lost(rows, OFFSETS, "method=wls cells=64"), 0, 0, 1, 1,

@@ -212,21 +212,19 @@ static void check(Check *c, const Table *rows, const char *dir)
           onset(t, "mpm", 2, "usual"), 2, 4);
     claim(c, "H3.gimp",
           "GIMP whose boxes follow F, convolved exactly, never: error at 4, worst of three",
-          curve_worst_of_methods(t, "gimp", KINDS, "error", "variant=usual"), 0, WRONG);
+          curve_worst(t, "gimp", KINDS, "error", "variant=usual"), 0, WRONG);
     claim(c, "H3.ugimp", "with boxes that keep their size later than tents: stretch over MPM's",
           over(onset(t, "gimp", 0, "undeformed"), onset(t, "mpm", 0, "usual")), 1, 2);
     claim(c, "H3.carried",
           "nor any method whose particles tell the grid their gradients: error of stress at 4",
-          curve_worst_of_methods(t, "ge_mpm ge_gimp apic tpic", KINDS, "error", "variant=usual"), 0,
-          WRONG);
+          curve_worst(t, "ge_mpm ge_gimp apic tpic", KINDS, "error", "variant=usual"), 0, WRONG);
     /* The force is of a run of its own: the status of the stretched one does not matter. */
     claim(c, "H3.pieces",
           "but tents leave the bar in pieces, gradients or not: force at 4 over sigma A F/n, n = 1",
           times(select_ended_value(t, "force", "method=ge_mpm kind=bar1"), 1 / MOST), 0.99, 1.01);
     claim(c, "H3.gimp-carries", "GIMP and GE-GIMP carry the force: largest inside, over sigma A",
-          curve_worst_of_methods(t, "gimp ge_gimp", 1, "force",
-                                 "kind=bar1 variant=usual force_status=ok"),
-          0, WRONG);
+          curve_worst(t, "gimp ge_gimp", 1, "force", "kind=bar1 variant=usual force_status=ok"), 0,
+          WRONG);
     const Measure wls2 = onset(t, "wls2", 0, "usual");
     const double d = good_within(0.25);
     claim(c, "H3.wls", "WLS until no particle is within the trigger weight: stretch over that, bar",

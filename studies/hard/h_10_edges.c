@@ -52,7 +52,7 @@ static void write_edges(FILE *f, const Table *rows)
 static void write_marks(FILE *f, const Table *t)
 {
     for (const Info *const *m = engine_2d.methods; *m; m++) {
-        const double e = curve_worst_of_methods(t, (*m)->name, 1, "error", "status=ok").value;
+        const double e = curve_worst(t, (*m)->name, 1, "error", "status=ok").value;
         if (!has_grid(&engine_2d, (*m)->name)) continue;
         grade_add(f, "H10", (*m)->name, grade_mark_of(e, 1e-12, 1),
                   e <= 1e-12 ? "linear fields exact at edges, corners, gaps"
@@ -85,7 +85,7 @@ static Measure order(const Table *t, const char *method)
 /* Largest of all four bodies on the finest mesh. */
 static Measure worst_error(const Table *t, const char *methods)
 {
-    return curve_worst_of_methods(t, methods, BODIES, "error", "meshes=4");
+    return curve_worst(t, methods, BODIES, "error", "meshes=4");
 }
 
 static void check(Check *c, const Table *rows, const char *dir)

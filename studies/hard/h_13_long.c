@@ -202,19 +202,17 @@ static void check(Check *c, const Table *rows, const char *dir)
     claim(c, "H13.smooth", "GIMP, GE-GIMP, B-spline, APIC, TPIC, XPIC, FMPM, FEM: most runs lost",
           most_lost(t, smooth, "variant=usual", SCENES), 0, 0);
     claim(c, "H13.smooth-gain", "and none gains 5 % of energy: most gained",
-          curve_worst_of_methods(t, smooth, SCENES, "gain", "variant=usual runs=2"), -1, growth);
+          curve_worst(t, smooth, SCENES, "gain", "variant=usual runs=2"), -1, growth);
     claim(c, "H13.wls",
           "WLS (the paper's reading) creeps up: energy gained in twenty periods of the ring",
-          curve_worst_of_methods(t, "wls", 1, "gain", "problem=ring variant=usual runs=2"), growth,
-          10);
+          curve_worst(t, "wls", 1, "gain", "problem=ring variant=usual runs=2"), growth, 10);
     claim_differs(c, "H13.wls2", "WLS2 is bounded: energy gained in twenty periods of the ring",
-                  curve_worst_of_methods(t, "wls2", 1, "gain", "problem=ring variant=usual runs=2"),
-                  -1, growth, growth, 1,
+                  curve_worst(t, "wls2", 1, "gain", "problem=ring variant=usual runs=2"), -1,
+                  growth, growth, 1,
                   "it creeps up, too, later: what was fitted through splines is returned through "
                   "tents, on which H2's ringing feeds");
     claim(c, "H13.spline", "returned through splines both are bounded: most gained on the ring",
-          curve_worst_of_methods(t, "wls wls2", 1, "gain", "problem=ring variant=spline runs=2"),
-          -1, growth);
+          curve_worst(t, "wls wls2", 1, "gain", "problem=ring variant=spline runs=2"), -1, growth);
     claim(c, "H13.disk", "and WLS2 outlives all impacts of the disk: runs lost",
           most_lost(t, "wls2", "problem=disk_impact variant=spline", 1), 0, 0);
     table_free(t);

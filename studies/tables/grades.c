@@ -103,8 +103,8 @@ Mark grade_mark_of(double value, double ok, double weak)
     return value <= ok ? MARK_OK : value <= weak ? MARK_WEAK : MARK_LOST;
 }
 
-Measure curve_worst_of_methods(const Table *t, const char *methods, int each, const char *want,
-                               const char *where)
+Measure curve_worst(const Table *t, const char *methods, int each, const char *want,
+                    const char *where)
 {
     char words[256];
     Measure worst = {0};

@@ -49,7 +49,7 @@ Mark grade_mark_of(double value, double ok, double weak);
 /* Largest of column `want` over the rows of these methods ("gimp wls") that also meet `where`
  * ("column=value ..."), `each` of them of every method; NAN if one of them has no such row, was
  * lost, or is NAN. */
-Measure curve_worst_of_methods(const Table *t, const char *methods, int each, const char *want,
-                               const char *where);
+Measure curve_worst(const Table *t, const char *methods, int each, const char *want,
+                    const char *where);
 
 #endif

@@ -148,7 +148,7 @@ static void check_losses(Check *c, const Table *rows)
           lost_by(rows, GE_GIMP, 5, 5, INFINITY), 0, 0);
     claim(c, "W07-12.ge-mpm-unstable",
           "GE-MPM is pathologically unstable: share lost, or wrong by 0.2, by two periods",
-          times(lost_by(rows, GE_MPM, 2, 2, 0.2), 1.0 / RUNS), 0.8, 1);
+          times(lost_by(rows, GE_MPM, 2, 2, 0.2), 1 / (double)RUNS), 0.8, 1);
 }
 
 static void check_forty_percent(Check *c, const Table *rows)

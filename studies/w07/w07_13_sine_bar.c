@@ -58,7 +58,7 @@ static Measure mean_ratio(const Table *rows)
     pick(&ge, rows, "cells", 0, 2);
     for (int k = 0; k < ge.n; k++) {
         const Measure ratio = over(measure(ge.y[k], !isnan(ge.y[k]), 1), curve_at(&gimp, ge.x[k]));
-        mean.value += ratio.value / MESHES;
+        mean.value += ratio.value / (double)MESHES;
         mean.rows += ratio.rows;
     }
     return mean;

@@ -166,7 +166,7 @@ static void check(Check *c, const Table *rows, const char *dir)
     check_moved(c, sums);
     check_stress(c, sums);
     claim(c, "W11-10.whole", "WLS2 completes on every mesh, h = 1/16 to 1/64: of five",
-          with_value(lost, MESHES - lost.value), 5, 5);
+          with_value(lost, (double)MESHES - lost.value), 5, 5);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         char note[64];
         snprintf(note, sizeof note, "rms_%s", (*m)->name);

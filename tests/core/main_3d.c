@@ -12,7 +12,8 @@ int main(void)
 {
     const TestSuite suites[] = {
         {"twin", twin_tests},   {"shapes", shapes_tests},     {"material", material_tests},
-        {"exact", exact_tests}, {"remedies", remedies_tests}, {"mass", mass_tests}, {NULL, NULL},
+        {"exact", exact_tests}, {"remedies", remedies_tests}, {"mass", mass_tests},
+        {NULL, NULL},
     };
     return check_run(suites);
 }

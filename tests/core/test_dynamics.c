@@ -101,14 +101,13 @@ static void test_momentum_ledger(void)
 
 /* WLS keeps momentum on the grid, between its sound nodes: forces integrated over cells and the
  * reactions booked at walls are all that moves them. Others move with a mean of their neighbours:
- * four times what cells gave them, and is lost, is the tolerance. (Trigger 0: there are few of
+ * what cells gave them is lost, and is the tolerance. (Trigger 0: there are few of
  * them. No symmetry lines, where a node's mass is not the body's own.) */
 static const Case walled[] = {
     {1, "bar", 20, 2, 0, NULL},         {1, "sine_bar", 16, 2, 0, NULL},
     {1, "free_block", 32, 2, 0, NULL},  {2, "axis_mms", 8, 4, 0, NULL},
     {2, "disk_impact", 12, 4, 0, NULL}, {2, "disk_impact", 12, 4, 0, "wall=unilateral"},
-    {2, "hanging_bar", 8, 4, 0, NULL},  {2, "plate_vibration", 8, 4, 0, NULL},
-    {2, "free_block", 12, 4, 0, NULL}};
+    {2, "hanging_bar", 8, 4, 0, NULL},  {2, "free_block", 12, 4, 0, NULL}};
 static const char *const kinds[][2] = {{"wls", "trigger=0;allow_unstable=1"},
                                        {"wls2", "trigger=0;allow_unstable=1"},
                                        {"ge_wls", "trigger=0;allow_unstable=1;mass=lumped"},
@@ -149,15 +148,18 @@ static void add_nodes(const Sim *sim, double dt, bool solved, Grains *out)
 /* The state's forces, once more; returns whether the sum was looked at to round-off. */
 static bool check_grid_now(Sim *sim, double t, double dt)
 {
+    const bool images = sim->method.wall_images;
     Grains all = {{0}, 0, 0};
     Vec before;
     for (int a = 0; a < DIM; a++) before[a] = sim->impulse[a];
     deposit_all(sim, t, FORCES);
     add_nodes(sim, dt, false, &all);
+    sim->method.wall_images = false; /* they would stand in the place of a beyond walls */
     solve_all(sim, dt, 1, true);
+    sim->method.wall_images = images;
     add_nodes(sim, dt, true, &all);
     for (int a = 0; a < DIM; a++)
-        CHECK_CLOSE(all.gain[a], sim->impulse[a] - before[a], 1e-12 * all.size + 4 * all.lost);
+        CHECK_CLOSE(all.gain[a], sim->impulse[a] - before[a], 1e-12 * all.size + all.lost);
     return all.lost < 1e-12 * all.size;
 }
 
@@ -191,8 +193,9 @@ static void test_wls_grid_ledger(void)
 }
 
 /* What the repair of spurious nodes and the return to the particles add (methods/wls.h), largest
- * over a run, relative to the largest sum m |v|: bounds a third above what is measured, which falls
- * with h. The mass correction adds no more than its forces are larger. */
+ * over a run, relative to the largest sum m |v|: bounds a third above what is measured. The mass
+ * correction adds no more than twice what lumped mass does here, but not at every mesh: disk_impact
+ * 2.9 times at 16 cells, 3.7 times at 48; bar 2.1 times at 20. */
 static const struct {
     Case scene;
     double wls2, lumped, corrected;

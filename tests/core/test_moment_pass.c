@@ -1,5 +1,5 @@
-/* test_moment_pass.c: the plug-in contract carries a pass that no method here was made for: moments of
- * a weighted-least-squares method (W11 eq 9) by the chunked loops, against plain sums. */
+/* test_moment_pass.c: the plug-in contract carries a pass that no method here was made for: moments
+ * of a weighted-least-squares method (W11 eq 9) by the chunked loops, against plain sums. */
 #include "common/core/passes.h"
 #include "common/core/moments.h"
 #include "tests/fixture.h"

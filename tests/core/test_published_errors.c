@@ -1,5 +1,4 @@
-/* test_published_errors.c: the numbers that PHYSICS prints for each figure, and what the squeeze test counts.
- */
+/* test_published_errors.c: published errors of each figure, and what the squeeze test counts. */
 #include <stdio.h>
 #include "tests/fixture.h"
 

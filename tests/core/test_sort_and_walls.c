@@ -1,5 +1,5 @@
-/* test_sort_and_walls.c: the order of particles, blocks for threads, and what walls and symmetry lines leave
- * of the nodes' motion. */
+/* test_sort_and_walls.c: the order of particles, blocks for threads, and what walls and symmetry
+ * lines leave of the nodes' motion. */
 #include <stdlib.h>
 #include "tests/fixture.h"
 

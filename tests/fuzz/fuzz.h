@@ -1,5 +1,5 @@
 /* fuzz.h: properties of everything that reads input, for any bytes at all. The fuzzer (make fuzz)
- * looks for bytes that break one; the unit tests replay those it has found (tests/found). */
+ * looks for bytes that break one; the unit tests replay those it has found (tests/fuzz/found). */
 #ifndef MPMLAB_FUZZ_H
 #define MPMLAB_FUZZ_H
 

@@ -1,4 +1,4 @@
-/* test_fuzz_corpus.c: what the fuzzers once found, and what they start from, taken again: tests/found. */
+/* test_fuzz_corpus.c: inputs that the fuzzers once found or start from (tests/fuzz/found). */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>

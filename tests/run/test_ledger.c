@@ -71,9 +71,9 @@ static void test_starts(void)
 {
     static const Case starts[] = {
         {2, "block", 8, 4, 0, "gravity=1000;dim=2"},
-        {2, "block", 8, 4, 0, "gravity=1000;dim=2;drift_x=.01;drift_y=-.001"},
+        {2, "block", 8, 4, 0, "gravity=1000;dim=2;drift_x=.01;drift_y=-.02"},
         {1, "block", 8, 2, 0, "gravity=1000;dim=1"},
-        {1, "block", 8, 2, 0, "gravity=1000;dim=1;drift_x=.02"},
+        {1, "block", 8, 2, 0, "gravity=1000;dim=1;drift_x=-.02"},
         {2, "hanging_bar", 8, 4, 0, NULL},
         {2, "hole_plate", 8, 4, 0, NULL},
         {2, "cantilever", 4, 4, 0, NULL}};
@@ -96,7 +96,7 @@ static void check_growth(Loop *l, double factor)
     Side before = {.kinetic = 1e-9}, after = before;
     *l = (Loop){.plan = l->plan, .self = l->self, .growth_step = -1};
     record_start(l, &before, &after, stored);
-    for (; l->growth_step < 0 && l->done < 100000; l->done++) {
+    for (; l->growth_step < 0 && before.kinetic < 10; l->done++) {
         after.kinetic = before.kinetic * (l->done ? factor : 1);
         Moment m = {.t = (double)l->done,
                     .kinetic = 0.5 * (before.kinetic + after.kinetic),
@@ -199,7 +199,7 @@ static void check_failed(const Case *c, const char *integrator, bool moves)
     CU_ASSERT_FATAL(row.steps > 0);
     Table *last = positions(c, integrator, row.steps, NULL);
     Table *end = positions(c, integrator, 0, files[1]), *errors = table_of(files[1]);
-    double moved = 0, t = row.dt * (row.steps + moves);
+    double moved = 0, off = 0, t = row.dt * (row.steps + moves);
     CU_ASSERT(errors->nrow == end->nrow);
     for (int k = 0; k < end->nrow; k++) {
         const double X[2] = {table_number(end, k, "X"), table_number(end, k, "Y")};
@@ -208,10 +208,11 @@ static void check_failed(const Case *c, const char *integrator, bool moves)
         plan.scene.problem->exact(&plan.scene, 1, (const double *const[]){&X[0], &X[DIM - 1]}, t,
                                   (double *const[]){&u[0], &u[DIM - 1]});
         for (int d = 0; d < DIM; d++) e += pow(x[d] - X[d] - u[d], 2);
-        CHECK_CLOSE(table_number(errors, k, "error"), sqrt(e) / plan.scene.error_scale, 1e-12);
+        e = fabs(table_number(errors, k, "error") - sqrt(e) / plan.scene.error_scale);
+        off = e <= off ? off : e;
         moved = fmax(moved, fabs(x[0] - table_number(last, k, "x")));
     }
-    CU_ASSERT((moved > 0) == moves);
+    CU_ASSERT((moved > 0) == moves && off <= 1e-12);
     table_free(last), table_free(end), table_free(errors);
 }
 

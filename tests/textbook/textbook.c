@@ -164,7 +164,8 @@ static void deform(TwinParticle *p, double dt, double L[DIM][DIM])
             for (int k = 0; k < DIM; k++) p->F[a][b] += dt * L[a][k] * old[k][b];
 }
 
-/* FLIP: v += dt a; PIC: v = S v, or what a filter left of the particle's own (textbook_filter.c). */
+/* FLIP: v += dt a; PIC: v = S v, or what a filter left of the particle's own (textbook_filter.c).
+ */
 static void take_velocity(const Twin *w, TwinParticle *p, double dt, const double v[],
                           const double a[])
 {

@@ -1,6 +1,6 @@
-/* textbook.h: the textbook material point step, as plain as it can be written: arrays of structs, loops
- * over particles and their nodes, weights recomputed in both passes, a dense grid, symmetry by
- * truly mirrored copies of the particles. Shares placement and scenes with the testbed, no
+/* textbook.h: the textbook material point step, as plain as it can be written: arrays of structs,
+ * loops over particles and their nodes, weights recomputed in both passes, a dense grid, symmetry
+ * by truly mirrored copies of the particles. Shares placement and scenes with the testbed, no
  * numerics: it is what the fast core is compared with, in tests and in the bench. */
 #ifndef MPMLAB_TEXTBOOK_H
 #define MPMLAB_TEXTBOOK_H

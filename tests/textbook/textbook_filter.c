@@ -1,5 +1,5 @@
-/* textbook_filter.c: the twin's velocity filters, as their papers write them: XPIC takes the part of
- * the particles' velocities V that k rounds of V - S S+ V leave (Hammerquist & Nairn 2017), FMPM
+/* textbook_filter.c: the twin's velocity filters, as their papers write them: XPIC takes the part
+ * of the particles' velocities V that k rounds of V - S S+ V leave (Hammerquist & Nairn 2017), FMPM
  * adds k terms of the inverse of A = S+ S to the grid's (Nairn & Hammerquist 2021). S+ is by mass
  * and knows the walls; S is the gather. */
 #include "textbook_sight.h"

@@ -144,9 +144,9 @@ static inline bool has_body(const Twin *w, const Sight s[3], const int line[3], 
     return node && node->weight > ON_NODE * w->p[0].m;
 }
 
-/* Slope at node i of a particle on a node of axis d [1/m] (common/core/on_node.c): on each line along d
- * the difference of two neighbours if both have mass, else of the one that has and the middle; the
- * lines' mean, weighted with the other axes' S. */
+/* Slope at node i of a particle on a node of axis d [1/m] (common/core/on_node.c): on each line
+ * along d the difference of two neighbours if both have mass, else of the one that has and the
+ * middle; the lines' mean, weighted with the other axes' S. */
 static inline double kink_slope(const Twin *w, const Sight s[3], const int i[3], int d)
 {
     const int e = (d + 1) % 3, f = (d + 2) % 3;

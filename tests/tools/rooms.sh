@@ -49,7 +49,7 @@ tsort <<<"$edges" >/dev/null 2>&1 || complain "a circle of includes: $(tsort <<<
 # Public names: STEM_..., with or without its plural s, of the file or of a header in its room or the room above;
 # registered data are KIND_NAME.
 check_names() { # OBJECTS
-    local object source room stems name
+    local object source room stems
     while read -r object; do
         source=${object#"$1"/} && source=${source#d[123]/} && source=${source%.o}.c
         [ -f "$source" ] || continue
