@@ -61,10 +61,9 @@ static Sums sum_around(const Sim *sim, const int index[DIM])
 }
 
 /* r_s over the mass of its good neighbours: the acceleration that each of them gets. */
-static void give_row(Sim *sim, int row, double dt)
+static void give_row(Sim *sim, int row)
 {
     const Grid *g = &sim->g;
-    (void)dt;
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
         Inertia *own = &wls_of(sim)->inertia[at];
@@ -112,10 +111,9 @@ static void take_row(Sim *sim, int row, double dt)
     }
 }
 
-static void clear_row(Sim *sim, int row, double dt)
+static void clear_row(Sim *sim, int row)
 {
     const Grid *g = &sim->g;
-    (void)dt;
     const size_t start = (size_t)row * (size_t)g->n[0];
     for (size_t at = start + (size_t)g->lo[row]; at < start + (size_t)g->hi[row]; at++)
         wls_of(sim)->inertia[at].product = (Half){0};
@@ -124,10 +122,16 @@ static void clear_row(Sim *sim, int row, double dt)
 void wls_spread(Sim *sim, double dt)
 {
     const Grid *g = &sim->g;
-    static void (*const pass[])(Sim *, int, double) = {give_row, take_row, clear_row};
-    for (int k = 0; k < 3; k++) {
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
+#pragma omp parallel num_threads(sim->setup->threads)
+    {
+#pragma omp for schedule(static)
         for (int row = 0; row < g->rows; row++)
-            if (g->lo[row] < g->hi[row]) pass[k](sim, row, dt);
+            if (g->lo[row] < g->hi[row]) give_row(sim, row);
+#pragma omp for schedule(static)
+        for (int row = 0; row < g->rows; row++)
+            if (g->lo[row] < g->hi[row]) take_row(sim, row, dt);
+#pragma omp for schedule(static)
+        for (int row = 0; row < g->rows; row++)
+            if (g->lo[row] < g->hi[row]) clear_row(sim, row);
     }
 }
