@@ -8,7 +8,7 @@ BUILD  = build
 ARCH   = -march=native
 OMP    = -fopenmp
 JOBS   = $(shell nproc)
-DIMS   = 1 2
+DIMS   = 1 2 3
 SAN    =
 WERROR ?=
 
