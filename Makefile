@@ -30,7 +30,8 @@ problem_sources = $(shell sed -n 's/^PROBLEM$(paren)\([a-z_0-9]*\), $(1).*/probl
 PROBLEMS_1 = $(call problem_sources,1)
 PROBLEMS_2 = $(call problem_sources,[01]$(comma) 1)
 PROBLEMS_3 = $(call problem_sources,[01]$(comma) [01]$(comma) 1)
-FEM_2      = $(call sources,fem_ref)
+FEM_2      = $(filter-out fem_ref/mesh_space.c,$(call sources,fem_ref))
+FEM_3      = $(filter-out fem_ref/mesh.c,$(call sources,fem_ref))
 
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))

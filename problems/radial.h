@@ -4,12 +4,12 @@
  *   u(R, t) = s(t) g(R) e_R,  s = A cos(w t), w = c pi, c = sqrt(E/rho),
  *   g = c1 R + c2 R^2 + c3 R^3, g' = 0 at both radii, so that they are free of traction.
  *
- * Body force. nu = 0: P = mu (F - F^-T), mu = E/2, and F is diagonal along the radius and across it,
- *   F_rr = 1 + s g',  F_tt = 1 + s g/R,  P_rr = mu (F_rr - 1/F_rr),  P_tt likewise.
- * Balance of momentum rho u_tt = DIV P + rho b, DIV P = dP_rr/dR + (n - 1) (P_rr - P_tt)/R:
- *   dP_rr/dR        = mu (1 + 1/F_rr^2) s g''
- *   (P_rr - P_tt)/R = mu (1 + 1/(F_rr F_tt)) (F_rr - F_tt)/R,  (F_rr - F_tt)/R = s (c2 + 2 c3 R)
- *   b_R = -w^2 s g - (c^2/2) s [(1 + 1/F_rr^2) g'' + (n - 1) (1 + 1/(F_rr F_tt)) (c2 + 2 c3 R)]. */
+ * Body force. nu = 0: P = mu (F - F^-T), mu = E/2, and F is diagonal along the radius and across
+ * it, F_rr = 1 + s g',  F_tt = 1 + s g/R,  P_rr = mu (F_rr - 1/F_rr),  P_tt likewise. Balance of
+ * momentum rho u_tt = DIV P + rho b, DIV P = dP_rr/dR + (n - 1) (P_rr - P_tt)/R: dP_rr/dR        =
+ * mu (1 + 1/F_rr^2) s g'' (P_rr - P_tt)/R = mu (1 + 1/(F_rr F_tt)) (F_rr - F_tt)/R,  (F_rr -
+ * F_tt)/R = s (c2 + 2 c3 R) b_R = -w^2 s g - (c^2/2) s [(1 + 1/F_rr^2) g'' + (n - 1) (1 + 1/(F_rr
+ * F_tt)) (c2 + 2 c3 R)]. */
 #ifndef MPMLAB_RADIAL_H
 #define MPMLAB_RADIAL_H
 

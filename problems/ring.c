@@ -1,5 +1,5 @@
-/* ring.c: oscillating ring, a manufactured solution at large strain (W11 5.1, eqs 36, 37; radial.h).
- * In 3D the same ring, two cells thick between symmetry planes. */
+/* ring.c: oscillating ring, a manufactured solution at large strain (W11 5.1, eqs 36, 37;
+ * radial.h). In 3D the same ring, two cells thick between symmetry planes. */
 #include <stdio.h>
 #include "common/contract/layout.h"
 #include "radial.h"
