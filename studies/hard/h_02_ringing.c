@@ -37,7 +37,7 @@ static void part_name(char part[96], const char *method, int dim, int variant)
 static void cases(Cases *list, bool quick)
 {
     char part[96], file[128];
-    for (const Engine *const *e = engines; *e; e++)
+    for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
             for (int v = 0; v < VARIANTS; v++) {
                 const int cells = (*e)->dim == 1 ? 128 : 16, steps = quick ? 10 : STEPS;
@@ -148,7 +148,7 @@ static int tables(const char *dir, bool quick, Fault *fault)
     if (!f) return FAULT_MACHINE;
     files_open(&files, dir, name);
     fputs("method,dim,variant,step,kept,status\n", f);
-    for (const Engine *const *e = engines; *e; e++)
+    for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
             for (int v = 0; v < VARIANTS; v++)
                 if (takes(*e, *m, v)) write_one(f, &files, (*m)->name, (*e)->dim, v);

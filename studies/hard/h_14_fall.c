@@ -14,7 +14,7 @@ static const char *const integrators[INTEGRATORS] = {"cd", "uvf", "musl", "usl",
 
 static void cases(Cases *list, bool quick)
 {
-    for (const Engine *const *e = engines; *e; e++)
+    for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
             for (int k = 0; k < (has_grid(*e, (*m)->name) ? INTEGRATORS : 1); k++)
                 case_add(
@@ -30,7 +30,7 @@ static void cases(Cases *list, bool quick)
 static Measure worst(const Table *rows, const char *method, int from, int to)
 {
     Measure most = largest_of(0);
-    for (const Engine *const *e = engines; *e; e++)
+    for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
             for (int k = from; k < to && (k == 0 || has_grid(*e, (*m)->name)); k++)
                 most.needs += !method || strcmp(method, (*m)->name) == 0;

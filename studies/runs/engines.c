@@ -3,7 +3,7 @@
 #include <string.h>
 #include "run_args.h"
 
-const Engine *const engines[] = {&engine_1d, &engine_2d, NULL};
+const Engine *const engines[] = {&engine_1d, &engine_2d, &engine_3d, NULL};
 
 static int knows(const Engine *e, const char *problem)
 {
@@ -12,6 +12,8 @@ static int knows(const Engine *e, const char *problem)
     return 0;
 }
 
+/* Without dim=, a scene of several dimensions runs in the highest below 3, as it did before 3D
+ * existed: commands and journals of that time keep their meaning. */
 const Engine *engine_for(const RunSpec *spec, Fault *fault)
 {
     const char *dim = spec_get(spec, "dim");
@@ -23,7 +25,7 @@ const Engine *engine_for(const RunSpec *spec, Fault *fault)
         if (dim && strcmp(dim, word) == 0) return *e;
         if (dims[0]) strcat(dims, " or ");
         strcat(dims, word);
-        found = *e;
+        if (!found || (*e)->dim < 3) found = *e;
     }
     if (found && !dim) return found;
     const char *names[64];

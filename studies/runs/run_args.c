@@ -22,7 +22,7 @@ const Option run_args_options[] = {
     {"nodes", "FILE", "write the grid nodes at the end"},
     {"samples", "FILE", "write what carries strain at the end: elements of fem, else particles"},
     {"errors", "FILE", "write every point's error at the end"},
-    {"patches", "FILE", "write the polygons of cells or elements at the end (plane only)"},
+    {"patches", "FILE", "write the polygons of cells or elements at the end (2D, 3D)"},
     {"vtk", "DIR", "write snapshots into DIR"},
     {"every", "K", "steps between snapshots (default: first and last only)"},
     {"quiet", NULL, "no messages"},

@@ -190,7 +190,8 @@ static const TestCase tools_tests[] = {
     {NULL, NULL},
 };
 
-extern const TestCase files_tests[], study_tests[], trial_tests[], effort_tests[], found_tests[];
+extern const TestCase files_tests[], study_tests[], trial_tests[], effort_tests[], found_tests[],
+    space_tests[];
 
 int main(void)
 {
@@ -200,6 +201,7 @@ int main(void)
                                 {"effort", effort_tests},
                                 {"found by the fuzzers", found_tests},
                                 {"claims on trial", trial_tests},
+                                {"space", space_tests},
                                 {NULL, NULL}};
     return check_run(suites);
 }
