@@ -9,7 +9,7 @@ static const char about[] = "Compares ways to move information between particles
 /* Options of the program itself. */
 static const Option own[] = {
     {"version", NULL, "version, compiler, flags, dimensions, OpenMP"},
-    {"help", NULL, "this text; after a command: its options"},
+    {"help", NULL, "this text (also help, -h); after a command: its options (also help COMMAND)"},
     {"man", NULL, "all of it as a manual page (man -l)"},
     {"completion", NULL, "completion of words for bash"},
     {NULL, NULL, NULL},

@@ -25,6 +25,10 @@ refused "unknown short option" 2 "unknown option '-x'" run squeeze -x
 refused "option without value" 2 "--cells: got nothing" run squeeze --cells
 refused "flag with value" 2 "takes no value" run squeeze --quiet=1
 refused "unknown method" 2 "did you mean 'gimp'" run squeeze --method gmp
+refused "two letters exchanged" 2 "did you mean 'gimp'" run squeeze --method gipm
+refused "capital letters" 2 "did you mean 'gimp'" run squeeze --method GIMP
+refused "help of an unknown command" 2 "did you mean 'sweep'" help swep
+refused "help of two commands" 2 "one command" help run study
 refused "unknown integrator" 2 "integrator" run squeeze --integrator xx
 refused "unknown setting" 2 "field" run squeeze --set feild=linear
 refused "setting without value" 2 "NAME=VALUE" run squeeze --set field
@@ -82,6 +86,18 @@ done
 for command in "" list describe run study sweep claims; do
     run $command --help
     ok "$command --help" test "$status" -eq 0 -a -s out -a ! -s err
+done
+run --help
+cp out help
+for words in help -h; do
+    run $words
+    ok "$words" cmp -s out help
+done
+run run --help
+cp out help
+for words in "help run" "run -h"; do
+    run $words
+    ok "$words" cmp -s out help
 done
 run run squeeze --help --nonsense
 ok "help beats a wrong option" test "$status" -eq 0
