@@ -14,10 +14,12 @@ typedef struct Param {
 } Param;
 
 typedef struct Info {
-    const char *name;   /* as typed on the command line */
-    const char *label;  /* as printed in figures */
-    const char *about;  /* one line */
-    const char *source; /* where it is published */
+    const char *name;    /* as typed on the command line */
+    const char *label;   /* as printed in figures */
+    const char *about;   /* one line */
+    const char *source;  /* where it is published */
+    const char *formula; /* problem: the exact motion; method: the transfers; NULL: none */
+    const char *scale;   /* what errors of a problem are divided by, or NULL */
     const Param *params;
 } Info;
 

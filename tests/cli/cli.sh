@@ -75,14 +75,28 @@ refused "sweep, list and collect" 2 "both" sweep squeeze --list --collect
 run list
 ok "list has four columns" awk -F'\t' 'NF != 4 { exit 1 }' out
 ok "list has each name once" test "$(cut -f2 out | sort | uniq -d | wc -l)" -eq 0
-for kind in methods problems studies; do
+for kind in methods problems studies integrators; do
     run list $kind
     ok "list $kind" test "$status" -eq 0 -a "$(cut -f1 out | sort -u | wc -l)" -eq 1
 done
-for name in squeeze gimp $study; do
+for name in squeeze gimp cd $study; do
     run describe $name
     ok "describe $name" test "$status" -eq 0 -a -s out -a ! -s err
 done
+run describe bar
+ok "describe a problem: error scale and formula" grep -qP '^errors over\tv0 L/c\t0.01 m$' out
+ok "describe a problem: its exact motion" grep -qP '^formula\tu = ' out
+ok "describe a problem: the options that act" grep -qP '^strain_update\t' out
+run describe squeeze
+ok "describe a projection: not those that cannot act" test "$(grep -cP '^(strain_update|steps|stop_growth|refresh)\t' out)" -eq 0
+run describe ge_gimp
+ok "describe a method: its integrators" grep -qP '^integrators\tcd usl\tdefault cd$' out
+ok "describe a method: those with a fresh gradient" grep -qP '^integrators\tuvf musl\twith --set refresh=1$' out
+ok "describe a method: the settings that act" grep -qP '^domain\t' out
+run describe mpm
+ok "describe a method: not those that cannot act" test "$(grep -cP '^(domain|refresh|allow_unstable)\t' out)" -eq 0
+run describe uvf
+ok "describe an integrator: methods it is stable with" grep -qP '^methods\t.*gimp' out
 for command in "" list describe run study sweep claims; do
     run $command --help
     ok "$command --help" test "$status" -eq 0 -a -s out -a ! -s err

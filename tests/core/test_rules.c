@@ -99,7 +99,7 @@ static const struct {
 static void check_pair(const char *method, Integrator i, int wanted)
 {
     const Case c = any_case(10, 0, 0);
-    const char *const words[] = {method, step_integrator_names[i], "allow_unstable=1",
+    const char *const words[] = {method, step_integrators[i].name, "allow_unstable=1",
                                  wanted == 2 ? "refresh=1" : NULL, NULL};
     Rig r;
     if (wanted == 1) CU_ASSERT(rig_plan(&r, &c, method, i, NULL));
