@@ -183,6 +183,9 @@ for command in list --help --version "run squeeze" "describe gimp"; do
 done
 
 # Studies: whole, resumed, killed, two at once
+mkdir plotless # no gnuplot there: figures are not what is asked
+PATH=$work/plotless "$program" study all --quick --method ge_mpm --out lines >out 2>err
+ok "all studies: a line each" test "$(grep -cE '^mpmlab: [a-z0-9_]+: (done|failed)' err)" -eq "$("$program" list studies | wc -l)"
 "$program" study $study --quick >out 2>err
 ok "quick study: $(cat err)" test $? -eq 0 -a -s build/out/quick/$study.csv -a ! -s out
 ok "quick gives no verdicts" test ! -e build/out/quick/claims.csv
@@ -300,6 +303,17 @@ if [ $vtk = 1 ]; then
     head -c 3000 "$last" >short && mv short "$last"
     ok "a torn file is noticed" bash -c '! /usr/bin/python3 "$0"/vtk_read.py snap/wls2 >/dev/null' "$here"
 fi
+run run bar --vtk snap/time --every .001s --set steps=150 --quiet
+ok "--every a time: 0, .001, .002, .003 and the end" test "$status" -eq 0 -a "$(grep -c '<DataSet' snap/time/particles.pvd)" -eq 5
+ok "--every a time: the first step that reaches it" grep -q 'timestep="0.001"' snap/time/particles.pvd
+ok "the grid at the start" test -s snap/time/nodes_000000.vtp
+run run bar --set steps=150
+cp out plain.csv
+run run bar --set steps=150 --vtk snap/time --every 1
+ok "snapshots change nothing" cmp -s <(cut -d, -f1-17,21- out) <(cut -d, -f1-17,21- plain.csv)
+for every in 0s -1s s nans 1x 0.5; do
+    refused "--every $every" 2 "--every: got '$every'" run bar --vtk snap/time "--every=$every"
+done
 refused "--vtk below a file" 1 "t.csv" run disk_impact --vtk t.csv/x
 run run squeeze --cells 10 --vtk snap/squeeze --particles last.csv --quiet
 ok "--vtk of a projection" test "$status" -eq 0 -a -s snap/squeeze/particles.pvd -a -s snap/squeeze/nodes_000000.vtp
