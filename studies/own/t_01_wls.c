@@ -129,9 +129,9 @@ static const char *setting(int run, int which)
 }
 
 #define ALL_SETTINGS                                                                               \
-    "A=0.1;angle=0;average=%s;distance=%s;hermite=0;mass=lumped;offset_x=0;offset_y=0;"            \
-    "quadrature=%s;return=%s;sector=quarter;spurious_velocity=%s;stress=%s;surface_per_cell=0;"    \
-    "trigger=%s"
+    "A=0.1;angle=0;average=%s;distance=%s;hermite=0;mass=lumped;motion=lagged;offset_x=0;"         \
+    "offset_y=0;quadrature=%s;return=%s;sector=quarter;spurious_velocity=%s;stress=%s;"            \
+    "surface_per_cell=0;trigger=%s;velocity=plain"
 #define SETTINGS_OF(run)                                                                           \
     setting(run, AVERAGE), setting(run, DISTANCE), setting(run, QUADRATURE), setting(run, RETURN), \
         setting(run, SPURIOUS), setting(run, STRESS), setting(run, TRIGGER)
