@@ -31,7 +31,7 @@ RunSpec rig_spec(const Case *c, const char *method, const char *integrator, cons
 bool rig_plan(Rig *r, const Case *c, const char *method, Integrator integrator, const char *more)
 {
     r->fault = (Fault){0};
-    r->spec = rig_spec(c, method, step_integrator_names[integrator], more);
+    r->spec = rig_spec(c, method, step_integrators[integrator].name, more);
     if (plan_make(&r->spec, &r->plan, &r->fault)) return false;
     r->dt = r->plan.cfl * r->plan.scene.cell / r->plan.scene.c;
     return true;

@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
+#include "common/base/info.h"
 #include "studies/runs/memory.h"
 
 enum { HEAD = 18 }; /* "%08zu %08lx " */
@@ -35,10 +37,43 @@ static size_t record_at(const char *text, size_t n)
     return memchr(body, '\t', length) ? HEAD + length + 1 : 0;
 }
 
+/* Is the word of n letters a number? The last word, the program's checksum, is none. */
+static bool is_number(const char *word, size_t n, double *x)
+{
+    char text[64];
+    if (!word[n] || n >= sizeof text) return false;
+    snprintf(text, sizeof text, "%.*s", (int)n, word);
+    return info_number_parse(text, x) == 0;
+}
+
+static int compare_words(const char *a, size_t n, const char *b, size_t m)
+{
+    double x = 0, y = 0;
+    const int order = memcmp(a, b, n < m ? n : m);
+    if (order == 0 && n == m && !a[n] == !b[m]) return 0;
+    const bool is_x = is_number(a, n, &x), is_y = is_number(b, m, &y);
+    if (is_x && is_y) return (x > y) - (x < y);
+    if (is_x != is_y) return is_x ? -1 : 1;
+    return order ? order : (n > m) - (n < m);
+}
+
+int journal_compare_keys(const char *a, const char *b)
+{
+    for (;;) {
+        const size_t n = strcspn(a, " ="), m = strcspn(b, " =");
+        const int order = compare_words(a, n, b, m);
+        if (order) return order;
+        if (a[n] != b[m]) return a[n] < b[m] ? -1 : 1;
+        if (!a[n]) return 0;
+        a += n + 1;
+        b += m + 1;
+    }
+}
+
 static int by_key(const void *a, const void *b)
 {
     const Record *x = a, *y = b;
-    int order = strcmp(x->key, y->key);
+    int order = journal_compare_keys(x->key, y->key);
     return order ? order : (x->key > y->key) - (x->key < y->key); /* then by place in the file */
 }
 
@@ -66,7 +101,7 @@ static void sort_unique(Journal *j)
     int n = 0;
     if (j->n) qsort(j->records, (size_t)j->n, sizeof *j->records, by_key);
     for (int k = 0; k < j->n; k++) {
-        if (n && strcmp(j->records[n - 1].key, j->records[k].key) == 0) n--;
+        if (n && journal_compare_keys(j->records[n - 1].key, j->records[k].key) == 0) n--;
         j->records[n++] = j->records[k];
     }
     j->n = n;
@@ -132,7 +167,7 @@ int journal_open(Journal *j, const char *path, Fault *fault)
 const char *journal_row(const Journal *j, const char *key)
 {
     for (int low = 0, high = j->n; low < high;) {
-        int middle = (low + high) / 2, order = strcmp(key, j->records[middle].key);
+        int middle = (low + high) / 2, order = journal_compare_keys(key, j->records[middle].key);
         if (order == 0) return j->records[middle].row;
         if (order < 0)
             high = middle;

@@ -24,7 +24,7 @@ const Option run_args_options[] = {
     {"errors", "FILE", "write every point's error at the end"},
     {"patches", "FILE", "write the polygons of cells or elements at the end (2D, 3D)"},
     {"vtk", "DIR", "write snapshots into DIR"},
-    {"every", "K", "steps between snapshots (default: first and last only)"},
+    {"every", "K", "steps between snapshots, or seconds: .001s (default: first and last only)"},
     {"quiet", NULL, "no messages"},
     {NULL, NULL, NULL},
 };
@@ -165,6 +165,23 @@ static int take_file(RunArgs *args, const struct File *f, const char *got, Fault
     return 0;
 }
 
+/* So many steps, or so much time: a number and an s. */
+static int take_every(RunSpec *spec, const char *got, Fault *fault)
+{
+    char number[64];
+    double t = 0;
+    const size_t n = strlen(got);
+    spec->every = 0;
+    spec->every_s = 0;
+    if (n == 0 || n >= sizeof number || got[n - 1] != 's')
+        return option_whole("--every", got, 1000000000, &spec->every, fault);
+    snprintf(number, sizeof number, "%.*s", (int)n - 1, got);
+    if (info_number_parse(number, &t) || t <= 0)
+        return option_refuse(fault, "--every", got, "steps, or seconds above 0 as .001s", NULL, 0);
+    spec->every_s = t;
+    return 0;
+}
+
 static int take(void *into, const char *name, const char *got, Fault *fault)
 {
     RunArgs *args = into;
@@ -184,7 +201,7 @@ static int take(void *into, const char *name, const char *got, Fault *fault)
     case 't':
         return option_whole("--threads", got, 1024, &spec->threads, fault);
     case 'e':
-        return option_whole("--every", got, 1000000000, &spec->every, fault);
+        return take_every(spec, got, fault);
     default:
         args->quiet = true;
         return 0;
@@ -199,7 +216,7 @@ int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault)
     if (!args->spec.problem[0])
         return fault_set(fault, FAULT_USAGE,
                          "PROBLEM: got nothing, takes one of those that 'list problems' prints");
-    if (args->spec.every && !args->spec.vtk)
+    if ((args->spec.every || args->spec.every_s > 0) && !args->spec.vtk)
         return fault_set(fault, FAULT_USAGE, "--every: needs --vtk DIR");
     return 0;
 }

@@ -191,6 +191,13 @@ static void test_journal(void)
     CU_ASSERT(journal_append(j.fd, "key 3", "row,again") == 0);
     CU_ASSERT(journal_reload(&j, path, NULL) == 0 && j.n == 5); /* none doubled, the newest kept */
     CHECK_TEXT(journal_row(&j, "key 3"), "row,again");
+    CU_ASSERT(journal_append(j.fd, "--cfl 0.29999999999999999 1f", "row,old") == 0);
+    CU_ASSERT(journal_reload(&j, path, NULL) == 0);
+    CHECK_TEXT(journal_row(&j, "--cfl 0.3 1f"), "row,old");
+    CU_ASSERT_PTR_NULL(journal_row(&j, "--cfl 0.31 1f"));
+    CU_ASSERT(journal_append(j.fd, "--cfl 3e-1 1f", "row,new") == 0);
+    CU_ASSERT(journal_reload(&j, path, NULL) == 0 && j.n == 6);
+    CHECK_TEXT(journal_row(&j, "--cfl 0.3 1f"), "row,new");
     journal_close(&j);
     unlink(path);
 }
