@@ -37,8 +37,7 @@ int output_errors(const char *path, const Scene *scene, const Points *p, double 
             putc(',', out);
             info_number_write(out, cells[c]);
         }
-        putc('
-', out);
+        putc('\n', out);
     }
     free(slot);
     return out ? file_commit(out, path, fault) : FAULT_MACHINE;
