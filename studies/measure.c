@@ -1,6 +1,8 @@
 /* measure.c: see measure.h. */
 #include "measure.h"
 
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdbool.h>
 
@@ -95,4 +97,11 @@ Measure times(Measure m, double factor)
 Measure with_value(Measure m, double value)
 {
     return measure(value, m.rows, m.needs);
+}
+
+double measure_median(int n, double y[])
+{
+    if (n < 1) return NAN;
+    gsl_sort(y, 1, (size_t)n);
+    return gsl_stats_median_from_sorted_data(y, 1, (size_t)n);
 }

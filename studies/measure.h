@@ -36,4 +36,7 @@ Measure sum(Measure a, Measure b);
 Measure times(Measure m, double factor);
 Measure with_value(Measure m, double value);
 
+/* Median of y[n]; sorts y. NAN of nothing. */
+double measure_median(int n, double y[]);
+
 #endif

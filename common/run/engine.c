@@ -91,6 +91,7 @@ const Engine ENGINE_NAME = {
     .dim = DIM,
     .problems = problem_infos,
     .methods = method_infos,
+    .settings = &settings_common,
     .resolve = resolve,
     .run = run_spec,
     .describe = describe,

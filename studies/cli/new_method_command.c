@@ -11,7 +11,7 @@
 #include "common/base/table.h"
 #include "cli.h"
 #include "studies/runs/memory.h"
-#include "studies/runs/run_args.h"
+#include "studies/runs/engines.h"
 
 enum { LONGEST = 31 };
 

@@ -12,7 +12,8 @@
 #include "studies/runs/memory.h"
 #include "studies/scoreboard/page.h"
 #include "studies/engine/plot.h"
-#include "studies/runs/run_args.h"
+#include "studies/runs/engines.h"
+#include "studies/runs/options.h"
 #include "studies/engine/run_study.h"
 
 typedef struct StudyArgs {

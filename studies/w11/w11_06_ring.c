@@ -143,20 +143,19 @@ static void check_wls2(Check *c, const Table *t)
           share_in_cfl(t, "wls2"), 0, 0.35);
 }
 
-static void check(Check *c, const Table *t, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    (void)dir;
-    check_fem(c, t);
-    check_gimp(c, t);
-    check_wls(c, t);
-    check_wls2(c, t);
+    check_fem(c, r->rows);
+    check_gimp(c, r->rows);
+    check_wls(c, r->rows);
+    check_wls2(c, r->rows);
     claim(c, "W11-6.mpm-order", "MPM does not converge",
-          order(t, "mpm", "cartesian", 8, 128, MESHES), -1, 0.5);
-    claim_note(c, "order_gimp_radial", order(t, "gimp", "radial", 8, 128, MESHES).value);
+          order(r->rows, "mpm", "cartesian", 8, 128, MESHES), -1, 0.5);
+    claim_note(c, "order_gimp_radial", order(r->rows, "gimp", "radial", 8, 128, MESHES).value);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         char name[64];
-        const double lattice = order(t, (*m)->name, "cartesian", 8, 128, MESHES).value;
-        const double fitted = order(t, (*m)->name, "radial", 8, 128, MESHES).value;
+        const double lattice = order(r->rows, (*m)->name, "cartesian", 8, 128, MESHES).value;
+        const double fitted = order(r->rows, (*m)->name, "radial", 8, 128, MESHES).value;
         snprintf(name, sizeof name, "order_%s", (*m)->name);
         claim_note(c, name, isnan(lattice) ? fitted : lattice);
     }
