@@ -236,9 +236,9 @@ int select_all(const Table *t, const char *name, int most, double out[], const c
 
 Measure select_count_lost(const Table *t, int needs, const char *where)
 {
-    Measure lost = sum_of(needs);
+    Measure lost = measure_sum_of(needs);
     for (int row = -1; (row = select_next(t, row, "%s", where)) >= 0;)
-        add_sum(&lost, select_is_lost(t, row));
+        measure_add(&lost, select_is_lost(t, row));
     return lost;
 }
 

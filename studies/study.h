@@ -80,7 +80,7 @@ void claim_note(Check *check, const char *name, double value);
 /* How many cases a study has; 0 if its page is wrong. */
 int study_case_count(const Study *study, bool quick);
 
-extern const Study *const studies[]; /* registry.c, NULL-terminated */
+extern const Study *const studies[]; /* studies.c, NULL-terminated */
 
 /* The folder below studies/ and plots/ that holds the study's files; "." if it is not registered.
  */

@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include "common/base/table.h"
 #include "cli.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/runs/engines.h"
 
 enum { LONGEST = 31 };

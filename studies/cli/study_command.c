@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include "studies/engine/claims.h"
 #include "cli.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/scoreboard/page.h"
 #include "studies/engine/plot.h"
 #include "studies/runs/engines.h"

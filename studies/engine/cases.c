@@ -8,7 +8,7 @@
 #include <unistd.h>
 #include <zlib.h>
 #include "facts.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/runs/run_args.h"
 
 static unsigned long add_checksum(unsigned long sum, const char *text)

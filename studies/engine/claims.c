@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "common/base/info.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "results.h"
 #include "sidecar.h"
 

@@ -13,7 +13,7 @@
 #include <unistd.h>
 #include <zlib.h>
 #include "common/base/table.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 
 enum { HEAD = 18 }; /* "%08zu %08lx " */
 

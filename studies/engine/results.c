@@ -7,7 +7,7 @@
 #include <string.h>
 #include <stdarg.h>
 #include "cases.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/select.h"
 
 /* A file that the page writes, or a table that it has read. */

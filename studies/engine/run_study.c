@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include "claims.h"
 #include "collect.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "plot.h"
 #include "pool.h"
 #include "results.h"

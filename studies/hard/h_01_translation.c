@@ -108,9 +108,9 @@ typedef struct Ask {
 
 static void take_node(Span *s, const Ask *a, double place, double f)
 {
-    s->low = lesser(s->low, f);
-    s->high = worse(s->high, f);
-    s->largest = worse(s->largest, fabs(f));
+    s->low = measure_lesser(s->low, f);
+    s->high = measure_worse(s->high, f);
+    s->largest = measure_worse(s->largest, fabs(f));
     s->n++;
     if (a->dots) fprintf(a->dots, "%s,%s,%.8g,%.8g\n", a->method, kinds[a->kind].name, place, f);
 }
@@ -131,7 +131,8 @@ static void take_nodes(Span *s, const Ask *a)
         const double y = dim > 1 ? select_number(nodes, i, "y") - 1.5 - a->shift[1] * h : 0;
         if (!is_inside(kinds[a->kind].angle, x, y, h)) continue;
         take_node(s, a, x, m * (select_number(nodes, i, "vx") - DRIFT * BLOCK_SPEED));
-        if (dim > 1) s->largest = worse(s->largest, fabs(m * select_number(nodes, i, "vy")));
+        if (dim > 1)
+            s->largest = measure_worse(s->largest, fabs(m * select_number(nodes, i, "vy")));
     }
     table_free(nodes);
 }
@@ -151,10 +152,11 @@ static Span all_nodes(Ask a)
 static void write_grades(FILE *f, const Table *t)
 {
     for (const Info *const *m = engine_2d.methods; *m; m++) {
-        const double tiles = worse(curve_worst(t, (*m)->name, 1, "largest", "kind=bar").value,
-                                   curve_worst(t, (*m)->name, 1, "largest", "kind=stretch").value);
+        const double tiles =
+            measure_worse(curve_worst(t, (*m)->name, 1, "largest", "kind=bar").value,
+                          curve_worst(t, (*m)->name, 1, "largest", "kind=stretch").value);
         const double any =
-            worse(tiles, curve_worst(t, (*m)->name, 1, "largest", "kind=turned").value);
+            measure_worse(tiles, curve_worst(t, (*m)->name, 1, "largest", "kind=turned").value);
         if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
         grade_add(f, "H1", (*m)->name, grade_mark_of(any, NOTHING, 0.1),
                   any <= NOTHING     ? "no force inside, at any offset"
@@ -191,25 +193,25 @@ static void check(Check *c, const Results *r)
     claim(c, "H1.nodes", "nodes of the bar's coarsest mesh, each at another offset",
           select_value(t, "nodes", "method=mpm kind=bar cells=%d", kinds[0].cells[0]), 200, 1000);
     claim(c, "H1.tent", "tents: one crossing changes the force by 2 F/n: range over that",
-          times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[0]),
-                1 / share),
+          measure_times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[0]),
+                        1 / share),
           0.99, 1.01);
     claim(c, "H1.tent-h", "and it does not fall with h: range at the finest mesh over 2 F/n",
-          times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[2]),
-                1 / share),
+          measure_times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[2]),
+                        1 / share),
           0.99, 1.01);
     claim(c, "H1.gimp", "GIMP, GE-GIMP: no force while boxes tile space (bar, stretch)",
-          largest(curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=bar"),
-                  curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=stretch")),
+          measure_max(curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=bar"),
+                      curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=stretch")),
           0, NOTHING);
     claim(c, "H1.gimp-turned",
           "turned by 30 degrees they do not tile it, on any mesh: least of the forces",
           select_value(t, "largest", "method=gimp kind=turned cells=%d", kinds[2].cells[2]), 1e-3,
           1);
     claim(c, "H1.wls", "WLS in the plane and WLS2: no force, turned or not",
-          largest(curve_worst(t, "wls2", KINDS * MESHES, "largest", ""),
-                  largest(curve_worst(t, "wls", MESHES, "largest", "kind=stretch"),
-                          curve_worst(t, "wls", MESHES, "largest", "kind=turned"))),
+          measure_max(curve_worst(t, "wls2", KINDS * MESHES, "largest", ""),
+                      measure_max(curve_worst(t, "wls", MESHES, "largest", "kind=stretch"),
+                                  curve_worst(t, "wls", MESHES, "largest", "kind=turned"))),
           0, NOTHING);
     claim_differs(c, "H1.wls-bar", "WLS, the bar's coarsest mesh: runs lost, of four offsets",
                   select_count_lost(r->rows, OFFSETS, "method=wls cells=64"), 0, 0, 1, 1,

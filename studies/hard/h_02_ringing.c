@@ -69,16 +69,16 @@ typedef struct Left {
 
 static Left left(const Table *t, const char *methods, int first, int variant)
 {
-    Left out = {least_of(0), largest_of(0)};
+    Left out = {measure_min_of(0), measure_max_of(0)};
     char m[WORD_TEXT];
     while (select_word(&methods, m))
         for (int dim = first; dim <= 2; dim++) {
             Curve c;
             curve_pick(&c, t, "step", "kept", "method=%s dim=%d variant=%s", m, dim,
                        variants[variant].name);
-            const Measure end = with_value(curve_max(&c, SHOWN), c.n ? c.y[c.n - 1] : NAN);
-            out.least = least(out.least, end);
-            out.most = largest(out.most, end);
+            const Measure end = measure_with(curve_max(&c, SHOWN), c.n ? c.y[c.n - 1] : NAN);
+            out.least = measure_min(out.least, end);
+            out.most = measure_max(out.most, end);
         }
     return out;
 }
@@ -86,17 +86,17 @@ static Left left(const Table *t, const char *methods, int first, int variant)
 /* The most that is left at the end, or to which it had grown when the run was lost. */
 static Measure last_left(const Table *t, const char *methods, int variant)
 {
-    Measure out = largest_of(0);
+    Measure out = measure_max_of(0);
     char m[WORD_TEXT];
     while (select_word(&methods, m))
         for (int dim = 1; dim <= 2; dim++) {
             const char *where = "method=%s dim=%d variant=%s", *which = variants[variant].name;
-            Measure last = sum_of(1);
+            Measure last = measure_sum_of(1);
             for (int row = -1; (row = select_next(t, row, where, m, dim, which)) >= 0;)
                 last = measure(select_number(t, row, "kept"), 1, 1);
             const bool kept = select_value(t, "kept", where, m, dim, which).rows > 0;
             if (!kept && !(last.value > 1.1)) last = measure(NAN, 0, 1);
-            out = largest(out, last);
+            out = measure_max(out, last);
         }
     return out;
 }
@@ -138,7 +138,7 @@ static void check(Check *c, const Results *r)
     claim(c, "H2.flip", "FLIP keeps what the grid cannot see: least left at the end, five methods",
           left(t, "mpm gimp ge_mpm ge_gimp bspline", 1, 0).least, 0.9, 1.1);
     claim(c, "H2.pic", "PIC (order 1 of XPIC and FMPM), APIC and TPIC forget it: most left",
-          largest(left(t, "xpic fmpm", 1, 1).most, left(t, "apic tpic", 1, 0).most), 0, 0.1);
+          measure_max(left(t, "xpic fmpm", 1, 1).most, left(t, "apic tpic", 1, 0).most), 0, 0.1);
     claim(c, "H2.xpic", "XPIC(2) and FMPM(2) forget it, too: most left",
           left(t, "xpic fmpm", 1, 0).most, 0, 0.1);
     claim_differs(c, "H2.wls",

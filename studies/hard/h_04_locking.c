@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include "studies/tables/curves.h"
 #include "studies/runs/engines.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 
 enum { RATIOS = 4, SCENES = 2, PLATE = 0, BEAM = 1, COARSE = 4, FINE = 32 };
 static const char *const nus[RATIOS] = {"0.3", "0.45", "0.49", "0.499"};
@@ -183,12 +183,12 @@ static bool reached(const Table *t, int scene, const char *method, const char *w
  * should, nor have a checkerboard as large as the scene's shear stress. */
 static Measure escaping(const Table *t, int scene)
 {
-    Measure n = sum_of(reaching[scene] + 1);
+    Measure n = measure_sum_of(reaching[scene] + 1);
     double ratio, rough;
     for (const Info *const *m = engine_2d.methods; *m; m++)
         if (reached(t, scene, (*m)->name, "ratio", &ratio) &&
             reached(t, scene, (*m)->name, "checkerboard", &rough))
-            add_sum(&n, isnan(ratio + rough) ? NAN : ratio > 0.95 && rough < 1);
+            measure_add(&n, isnan(ratio + rough) ? NAN : ratio > 0.95 && rough < 1);
     return n;
 }
 
@@ -197,11 +197,11 @@ static Measure escaping(const Table *t, int scene)
 static void extremes(const Table *t, int scene, Measure *ratio, Measure *rough)
 {
     double x;
-    *ratio = least_of(reaching[scene]), *rough = largest_of(reaching[scene]);
+    *ratio = measure_min_of(reaching[scene]), *rough = measure_max_of(reaching[scene]);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
-        if (reached(t, scene, (*m)->name, "ratio", &x)) add_least(ratio, x);
-        if (reached(t, scene, (*m)->name, "checkerboard", &x)) add_largest(rough, x);
+        if (reached(t, scene, (*m)->name, "ratio", &x)) measure_add_min(ratio, x);
+        if (reached(t, scene, (*m)->name, "checkerboard", &x)) measure_add_max(rough, x);
     }
 }
 
@@ -218,7 +218,7 @@ static void check(Check *c, const Results *r)
     claim(
         c, "H-4.plate-worst",
         "plate: linear triangles are worst: FEM's checkerboard over the largest of the particles'",
-        over(value(t, PLATE, "fem", "0.499", "checkerboard"), rough), 1, 100);
+        measure_ratio(value(t, PLATE, "fem", "0.499", "checkerboard"), rough), 1, 100);
     extremes(t, BEAM, &ratio, &rough);
     claim(c, "H-4.beam-all", "cantilever, nu = .499: methods that neither lock nor checkerboard",
           escaping(t, BEAM), 0, 0);
@@ -226,14 +226,14 @@ static void check(Check *c, const Results *r)
         c, "H-4.beam-worst",
         "cantilever: linear triangles lock worst: FEM's displacement over the least of the "
         "particle methods",
-        over(value(t, BEAM, "fem", "0.499", "ratio"), ratio), 0, 1, 1.2, 100,
+        measure_ratio(value(t, BEAM, "fem", "0.499", "ratio"), ratio), 0, 1, 1.2, 100,
         "triangles of alternating diagonals keep .83; tents over four particles a cell "
         "keep least");
     claim(c, "H-4.beam-gimp", "GIMP locks: its displacement at nu = .499 over the reference's",
           value(t, BEAM, "gimp", "0.499", "ratio"), 0, 0.95);
     claim(c, "H-4.beam-gimp-pressure", "and its checkerboard: times that at nu = .3",
-          over(value(t, BEAM, "gimp", "0.499", "checkerboard"),
-               value(t, BEAM, "gimp", "0.3", "checkerboard")),
+          measure_ratio(value(t, BEAM, "gimp", "0.499", "checkerboard"),
+                        value(t, BEAM, "gimp", "0.3", "checkerboard")),
           10, INFINITY);
 }
 

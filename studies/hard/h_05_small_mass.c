@@ -21,7 +21,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "studies/tables/ladder.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/tables/curves.h"
 
 enum { PER_CELL = 2, RUNGS = 8, DEPTHS = 6, EDGES = 3, DIMS = 2 };
@@ -178,11 +178,11 @@ static Measure off_root(const Table *t, const char *what, int dim, const char *m
                         double factor)
 {
     Curve curve;
-    Measure worst = largest_of(0);
+    Measure worst = measure_max_of(0);
     for (int d = 0; d < DEPTHS; d++) worst.needs += (scenes[dim - 1].depths >> d & 1) != 0;
     curve_pick(&curve, t, "depth", what, "dim=%d method=%s edge=particle", dim, method);
     for (int k = 0; k < curve.n; k++)
-        add_largest(&worst, fabs(curve.y[k] / (factor * sqrt(curve.x[k])) - 1));
+        measure_add_max(&worst, fabs(curve.y[k] / (factor * sqrt(curve.x[k])) - 1));
     return worst;
 }
 
@@ -190,9 +190,9 @@ static Measure off_root(const Table *t, const char *what, int dim, const char *m
 static Measure smallest(const Table *t, const char *what, const char *method)
 {
     Curve curve;
-    Measure out = least_of(EDGES * DEPTHS);
+    Measure out = measure_min_of(EDGES * DEPTHS);
     curve_pick(&curve, t, "depth", what, "dim=1 method=%s", method);
-    for (int k = 0; k < curve.n; k++) add_least(&out, curve.y[k]);
+    for (int k = 0; k < curve.n; k++) measure_add_min(&out, curve.y[k]);
     return out;
 }
 

@@ -66,7 +66,7 @@ static Measure few_error(const Table *t, int scene, const char *method, double p
     if (error.rows || !there.rows) return error;
     const Measure ok = select_ended(t, "x", "case=H7 problem=%s method=%s x=%g status=ok", problem,
                                     method, per_axis);
-    return with_value(there, ok.rows ? NAN : INFINITY);
+    return measure_with(there, ok.rows ? NAN : INFINITY);
 }
 
 /* The fewest particles per axis from which on both scenes' errors stay below a tenth of the
@@ -75,8 +75,8 @@ static double fewest(const Table *t, const char *method)
 {
     double least = INFINITY;
     for (int k = FEW - 1; k >= 0; k--) {
-        if (!(worse(few_error(t, 0, method, few[k]).value, few_error(t, 1, method, few[k]).value) <
-              USABLE))
+        if (!(measure_worse(few_error(t, 0, method, few[k]).value,
+                            few_error(t, 1, method, few[k]).value) < USABLE))
             break;
         least = few[k];
     }
@@ -114,13 +114,13 @@ static void tables(const Results *r)
 static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "points");
-    Measure lost = sum_of(4);
+    Measure lost = measure_sum_of(4);
     claim(c, "H6.exact", "GE, APIC, TPIC, WLS: a linear field from any particles, largest error",
           curve_worst(t, "ge_mpm ge_gimp apic tpic wls wls2", 2 * JITTERS, "error", "case=H6"), 0,
           1e-12);
     claim(c, "H6.tent", "tents are worst: error of MPM over GIMP's, jitter 0.5",
-          over(select_value(t, "error", "case=H6 method=mpm x=0.5 grading=1"),
-               select_value(t, "error", "case=H6 method=gimp x=0.5 grading=1")),
+          measure_ratio(select_value(t, "error", "case=H6 method=mpm x=0.5 grading=1"),
+                        select_value(t, "error", "case=H6 method=gimp x=0.5 grading=1")),
           1, 5);
     claim(c, "H7.tent", "tents with half a particle per cell have empty nodes: error of the bar",
           few_error(t, 0, "mpm", 0.5), USABLE, 10);
@@ -131,7 +131,7 @@ static void check(Check *c, const Results *r)
     for (int m = 0; m < 2; m++)
         for (int k = 0; k < 2; k++) {
             const double e = few_error(t, 1, m ? "wls2" : "wls", few[k]).value;
-            add_sum(&lost, isnan(e) ? NAN : isinf(e));
+            measure_add(&lost, isnan(e) ? NAN : isinf(e));
         }
     claim(c, "H7.wls",
           "WLS needs three particles in a support: runs lost in the plane below one, of 4", lost, 4,

@@ -94,8 +94,8 @@ static State state_read(const Results *r, const char *part)
         if (!(m > 0)) continue;
         s.n++;
         s.J += m * J;
-        s.least = lesser(s.least, J), s.most = worse(s.most, J);
-        s.narrowest = lesser(s.narrowest, fabs(Fxx));
+        s.least = measure_lesser(s.least, J), s.most = measure_worse(s.most, J);
+        s.narrowest = measure_lesser(s.narrowest, fabs(Fxx));
         s.before += m * ((X - 1) * (X - 1) + (Y - 1) * (Y - 1)); /* times w: box = 2 */
         s.now += m * (at[0] * v[1] - at[1] * v[0]);
         mass += m;
@@ -123,7 +123,7 @@ static void write_one(FILE *f, const Results *r, int row, int scene, int variant
             select_is_lost(rows, row) ? select_text(rows, row, "status") : "ok", turns, s.J,
             s.least, s.most, s.narrowest);
     if (scene == FREE)
-        fprintf(f, ",%.10g\n", 1 - pow(worse(s.now / (w * s.before), 0), 1 / turns));
+        fprintf(f, ",%.10g\n", 1 - pow(measure_worse(s.now / (w * s.before), 0), 1 / turns));
     else
         fprintf(f, "%.10g,\n", pow(s.J, 1 / turns) / exp(2 * M_PI * PER_STEP));
 }
@@ -213,13 +213,13 @@ static void tables(const Results *r)
  * there must be so many). */
 static Measure off_growth(const Table *t, const char *methods, int many)
 {
-    Measure worst = largest_of(many);
+    Measure worst = measure_max_of(many);
     for (int row = -1; (row = select_next(t, row, "scene=spin variant=usual")) >= 0;) {
         char m[WORD_TEXT] = "";
         const char *rest = methods;
         while (select_word(&rest, m) && !select_is(t, row, "method", m)) continue;
         if (methods[0] ? m[0] != '\0' : !select_is_lost(t, row))
-            add_largest(&worst, fabs(select_kept(t, row, "growth") - 1));
+            measure_add_max(&worst, fabs(select_kept(t, row, "growth") - 1));
     }
     return worst;
 }
@@ -229,10 +229,10 @@ static Measure lost_stretched(const Table *t)
 {
     const char *rest = "gimp ge_gimp xpic fmpm", *where = "scene=free variant=stretch";
     char m[WORD_TEXT];
-    Measure lost = sum_of(4);
+    Measure lost = measure_sum_of(4);
     while (select_word(&rest, m))
         if (select_ended(t, "turns", "method=%s %s", m, where).rows)
-            add_sum(&lost, !is_kept(t, m, where));
+            measure_add(&lost, !is_kept(t, m, where));
     return lost;
 }
 
@@ -243,10 +243,11 @@ static void check_remedies(Check *c, const Table *t)
     const double quarter = exp(TURNS * 2 * M_PI * PER_STEP / 4);
     const Measure J = curve_worst(t, linear, 1, "J", "scene=spin variant=exponential");
     claim(c, "H8a.exponential", "imposed spin, F = exp(dt L) F: J after ten turns, less 1",
-          with_value(J, J.value - 1), -1e-6, 1e-6);
-    claim(c, "H8a.subcycled", "in four parts: J after ten turns over exp(2 pi w dt/4) a turn",
-          times(curve_worst(t, linear, 1, "J", "scene=spin variant=subcycled"), 1 / quarter), 0.99,
-          1.01);
+          measure_with(J, J.value - 1), -1e-6, 1e-6);
+    claim(
+        c, "H8a.subcycled", "in four parts: J after ten turns over exp(2 pi w dt/4) a turn",
+        measure_times(curve_worst(t, linear, 1, "J", "scene=spin variant=subcycled"), 1 / quarter),
+        0.99, 1.01);
     claim(c, "H8b.stretch", "free spin, boxes of width l0 U_dd: GIMP, GE-GIMP, XPIC, FMPM lost",
           lost_stretched(t), 0, 0);
     claim(c, "H8b.exponential", "F = exp(dt L) F does not fit x += dt v: GIMP is lost after turns",

@@ -34,7 +34,7 @@ static void write_edges(FILE *f, const Table *rows)
                 if (select_is_lost(rows, row)) status = select_text(rows, row, "status");
                 h[n] = select_number(rows, row, "h");
                 e[n++] = select_number(rows, row, "error_linf");
-                fallbacks = worse(fallbacks, select_number(rows, row, "fallbacks"));
+                fallbacks = measure_worse(fallbacks, select_number(rows, row, "fallbacks"));
             }
             if (n > 0)
                 fprintf(f, "%s,%s,%s,%.10g,%.6g,%g,%d\n", bodies[b], (*m)->name, status, e[n - 1],
@@ -88,7 +88,7 @@ static void check(Check *c, const Results *r)
     claim(c, "H10.defined", "edges, thin strip, concave corner, two surfaces in a cell: runs lost",
           lost(r->rows), 0, 0);
     claim(c, "H10.order", "MPM, GIMP at edges: order in h of the largest error, block",
-          largest(order(t, "mpm"), order(t, "gimp")), 0.8, 1.2);
+          measure_max(order(t, "mpm"), order(t, "gimp")), 0.8, 1.2);
     claim(c, "H10.ge", "GE-MPM, GE-GIMP, APIC, TPIC exact in all four: largest error",
           worst_error(t, "ge_mpm ge_gimp apic tpic"), 0, 1e-12);
     claim(c, "H10.wls2", "WLS2 exact in all four: largest error", worst_error(t, "wls2"), 0, 1e-12);

@@ -77,15 +77,16 @@ static Long long_runs(const Table *rows, int scene, const Info *method, int vari
         if (spline != is_spline(method, variant)) continue;
         out.n++;
         out.lost += select_is_lost(rows, row);
-        out.gain = worse(out.gain, isnan(drift) ? INFINITY : drift);
-        out.loss = worse(out.loss, isnan(drift) ? INFINITY : -drift);
+        out.gain = measure_worse(out.gain, isnan(drift) ? INFINITY : drift);
+        out.loss = measure_worse(out.loss, isnan(drift) ? INFINITY : -drift);
     }
     return out;
 }
 
 static Mark mark_long(Long l)
 {
-    return l.lost || l.n == 0 ? MARK_LOST : grade_mark_of(worse(l.gain, l.loss), 0.05, INFINITY);
+    return l.lost || l.n == 0 ? MARK_LOST
+                              : grade_mark_of(measure_worse(l.gain, l.loss), 0.05, INFINITY);
 }
 
 /* NAME.drift.csv: problem,method,variant,lost,gain,loss,runs,status. */
@@ -103,8 +104,8 @@ static void write_one(FILE *drift, FILE *grades, FILE *remedies, const Table *ro
             fprintf(drift, "%s,%s,%s,%d,%.10g,%.10g,%d,%s\n", scenes[s].problem, method->name,
                     variants[v], l.lost, l.gain, l.loss, l.n, l.lost ? "lost" : "ok");
             if (v) continue;
-            worst.gain = worse(worst.gain, l.gain);
-            worst.loss = worse(worst.loss, l.loss);
+            worst.gain = measure_worse(worst.gain, l.gain);
+            worst.loss = measure_worse(worst.loss, l.loss);
             worst.lost += l.lost;
         }
     if (worst.lost)
@@ -127,7 +128,7 @@ static void write_ledger(FILE *f, const Results *r)
                 Table *t = results_left(r, part_name(part, s, shown[m], v));
                 double most = 0;
                 for (int k = 0; t && k < t->nrow; k++)
-                    most = worse(most, select_number(t, k, "total"));
+                    most = measure_worse(most, select_number(t, k, "total"));
                 for (int k = 0; t && k < t->nrow; k += EVERY)
                     fprintf(f, "%s,%s,%s,%.6g,%.6g\n", scenes[s].problem, shown[m], variants[v],
                             select_number(t, k, "t"),
@@ -151,15 +152,15 @@ static void tables(const Results *r)
 static Measure most_lost(const Table *t, const char *methods, const char *where, int each)
 {
     char m[WORD_TEXT];
-    Measure lost = largest_of(0);
+    Measure lost = measure_max_of(0);
     while (select_word(&methods, m)) {
-        Measure own = largest_of(each);
+        Measure own = measure_max_of(each);
         for (int s = 0; s < SCENES; s++) {
             const Measure one = select_ended(t, "lost", "method=%s problem=%s runs=%d %s", m,
                                              scenes[s].problem, MESHES, where);
-            if (one.rows) add_largest(&own, one.value);
+            if (one.rows) measure_add_max(&own, one.value);
         }
-        lost = largest(lost, own);
+        lost = measure_max(lost, own);
     }
     return lost;
 }

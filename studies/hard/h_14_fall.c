@@ -28,7 +28,7 @@ static void cases(Cases *list, bool quick)
 /* Largest error of these integrators, of a method or (NULL) of all and FEM. */
 static Measure worst(const Table *rows, const char *method, int from, int to)
 {
-    Measure most = largest_of(0);
+    Measure most = measure_max_of(0);
     for (const Engine *const *e = engines; *e; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
             for (int k = from; k < to && (k == 0 || engine_has_grid(*e, (*m)->name)); k++)
@@ -37,7 +37,7 @@ static Measure worst(const Table *rows, const char *method, int from, int to)
         for (int k = from; k < to; k++)
             if ((!method || select_is(rows, row, "method", method)) &&
                 select_is(rows, row, "integrator", integrators[k]))
-                add_largest(&most, select_kept(rows, row, "error_linf"));
+                measure_add_max(&most, select_kept(rows, row, "error_linf"));
     return most;
 }
 
@@ -58,7 +58,7 @@ static void check(Check *c, const Results *r)
           "x - g t^2/2 with the half first step (cd, uvf, musl), every method and FEM [m]",
           worst(r->rows, NULL, 0, 3), 0, 1e-12);
     claim(c, "H14.whole-step", "with a whole first step (usl, usf): largest error over g t dt/2",
-          times(worst(r->rows, NULL, 3, 5), 1 / (GRAVITY * t * dt / 2)), 0.99, 1.01);
+          measure_times(worst(r->rows, NULL, 3, 5), 1 / (GRAVITY * t * dt / 2)), 0.99, 1.01);
 }
 
 const Study study_h_14_fall = {

@@ -82,7 +82,7 @@ static double stretch_of(const Results *r, const char *method, int rule)
         for (int k = 0; k < t->nrow; k++) {
             const double Y = select_number(t, k, "Y");
             if (!(select_number(t, k, "mass") > 0)) continue;
-            if (pass == 0) lowest = lesser(lowest, Y);
+            if (pass == 0) lowest = measure_lesser(lowest, Y);
             if (pass == 0 || Y > lowest + 1e-9) continue;
             total += (bar_top - select_number(t, k, "y")) / (bar_top - Y);
             n++;
@@ -178,11 +178,11 @@ static Measure error_at(const Table *grid, const char *method, const char *rule,
 static Measure lost(const Table *grid, const char *methods, const char *rule, int column)
 {
     char m[WORD_TEXT];
-    Measure n = sum_of(0);
+    Measure n = measure_sum_of(0);
     while (select_word(&methods, m)) {
         const Measure grade =
             select_value(grid, "grade", "method=%s rule=%s column=%d", m, rule, column);
-        n = sum(n, with_value(grade, grade.value > 2));
+        n = measure_sum(n, measure_with(grade, grade.value > 2));
     }
     return n;
 }
@@ -190,9 +190,9 @@ static Measure lost(const Table *grid, const char *methods, const char *rule, in
 static void check_vortex(Check *c, const Table *e, const Table *grid)
 {
     enum { FULL = TURNS - 1 };
-    const Measure fem = over(error(e, "fem", "fxx", 8), error(e, "fem", "fxx", 24));
+    const Measure fem = measure_ratio(error(e, "fem", "fxx", 8), error(e, "fem", "fxx", 24));
     claim(c, "H-15.vortex-fem", "vortex, G = .5: FEM is of second order: order from N = 8 to 24",
-          with_value(fem, log(fem.value) / log(3)), 1.8, 2.2);
+          measure_with(fem, log(fem.value) / log(3)), 1.8, 2.2);
     claim(c, "H-15.vortex-gimp", "full vortex: of GIMP and GE-GIMP with l = l0 F_xx are lost",
           lost(grid, "gimp ge_gimp", "fxx", FULL), 2, 2);
     claim_differs(c, "H-15.vortex-stretch",
@@ -202,11 +202,12 @@ static void check_vortex(Check *c, const Table *e, const Table *grid)
                   "undeformed");
     claim(c, "H-15.vortex-undeformed",
           "GIMP with boxes that stay as they were lives: its error over that of B-splines",
-          over(error_at(grid, "gimp", "undeformed", FULL), error_at(grid, "bspline", "fxx", FULL)),
+          measure_ratio(error_at(grid, "gimp", "undeformed", FULL),
+                        error_at(grid, "bspline", "fxx", FULL)),
           0, 1.5);
     claim(c, "H-15.vortex-stretch-gain",
           "G = .5, N = 24: GIMP's error with U over that with F_xx: U buys some",
-          over(error(e, "gimp", "stretch", FINE), error(e, "gimp", "fxx", FINE)), 0, 0.95);
+          measure_ratio(error(e, "gimp", "stretch", FINE), error(e, "gimp", "fxx", FINE)), 0, 0.95);
     claim(c, "H-15.vortex-fixed-functions",
           "full vortex: of B-splines, APIC and TPIC, whose functions do not follow F, are lost",
           lost(grid, "bspline apic tpic", "fxx", FULL), 0, 0);
@@ -230,8 +231,8 @@ static void check_bar(Check *c, const Table *grid)
                   "particles at the corners of the clamp invert before t = .06");
     claim(c, "H-15.bar-agrees",
           "before that all agree: GIMP's length of the bar at t = .045 s over FEM's",
-          over(select_value(grid, "stretch", "method=gimp rule=fxx column=4"),
-               select_value(grid, "stretch", "method=fem rule=fxx column=4")),
+          measure_ratio(select_value(grid, "stretch", "method=gimp rule=fxx column=4"),
+                        select_value(grid, "stretch", "method=fem rule=fxx column=4")),
           0.97, 1.03);
 }
 

@@ -114,8 +114,9 @@ static void tables(const Results *r)
                 const char *method = other ? "wls2" : "ge_wls";
                 const char *set = setting_without(other ? -1 : what, text);
                 const double share =
-                    over(value_of(r->rows, problem[p], method, cells[k], set, "error_linf"),
-                         value_of(r->rows, problem[p], "fem", cells[k], "", "error_linf"))
+                    measure_ratio(
+                        value_of(r->rows, problem[p], method, cells[k], set, "error_linf"),
+                        value_of(r->rows, problem[p], "fem", cells[k], "", "error_linf"))
                         .value;
                 const char *label = other || what < 0 ? method : parts[what].setting;
                 if (!isnan(share))
@@ -126,17 +127,17 @@ static void tables(const Results *r)
 /* Of ge_wls over FEM on one mesh. */
 static Measure share_of(const Table *rows, const char *problem, const char *norm, int n)
 {
-    return over(value_of(rows, problem, "ge_wls", n, "", norm),
-                value_of(rows, problem, "fem", n, "", norm));
+    return measure_ratio(value_of(rows, problem, "ge_wls", n, "", norm),
+                         value_of(rows, problem, "fem", n, "", norm));
 }
 
 /* The largest on the ring, over meshes from .. to. */
 static Measure worst_share(const Table *rows, const char *norm, int from, int to)
 {
-    Measure worst = largest_of(0);
+    Measure worst = measure_max_of(0);
     for (int k = 0; k < MESHES; k++)
         if (cells[k] >= from && cells[k] <= to)
-            worst = largest(worst, share_of(rows, "ring", norm, cells[k]));
+            worst = measure_max(worst, share_of(rows, "ring", norm, cells[k]));
     return worst;
 }
 
@@ -157,8 +158,8 @@ static void check_ring(Check *c, const Table *rows)
         snprintf(id, sizeof id, "T-1b.four-%d", n);
         snprintf(text, sizeof text, "four periods, N = %d: largest error over FEM's", n);
         claim(c, id, text,
-              over(select_value(rows, "error_linf", four_periods, "ge_wls", n),
-                   select_value(rows, "error_linf", four_periods, "fem", n)),
+              measure_ratio(select_value(rows, "error_linf", four_periods, "ge_wls", n),
+                            select_value(rows, "error_linf", four_periods, "fem", n)),
               0, 1);
     }
 }
@@ -167,21 +168,21 @@ static void check_ring(Check *c, const Table *rows)
 static Measure offsets(const Table *rows, const char *method, double *sd)
 {
     double error[OFFSETS] = {0};
-    Measure mean = sum_of(OFFSETS);
+    Measure mean = measure_sum_of(OFFSETS);
     const int n = select_all(rows, "error_linf", OFFSETS, error, "method=%s sector=full", method);
-    for (int k = 0; k < n; k++) add_sum(&mean, error[k]);
+    for (int k = 0; k < n; k++) measure_add(&mean, error[k]);
     *sd = n > 1 ? gsl_stats_sd(error, 1, (size_t)n) : NAN;
-    return with_value(mean, gsl_stats_mean(error, 1, (size_t)n));
+    return measure_with(mean, gsl_stats_mean(error, 1, (size_t)n));
 }
 
 /* Largest error of ge_wls at any time step over FEM's at the least. */
 static Measure worst_step(const Table *rows)
 {
     static const char where[] = "problem=ring method=%s cells=32 cfl=%.17g";
-    Measure worst = largest_of(0);
+    Measure worst = measure_max_of(0);
     for (int k = 0; k < STEPS; k++)
-        worst = largest(worst, select_value(rows, "error_linf", where, "ge_wls", cfl[k]));
-    return over(worst, select_value(rows, "error_linf", where, "fem", cfl[0]));
+        worst = measure_max(worst, select_value(rows, "error_linf", where, "ge_wls", cfl[k]));
+    return measure_ratio(worst, select_value(rows, "error_linf", where, "fem", cfl[0]));
 }
 
 static void check_doubts(Check *c, const Table *rows)
@@ -189,7 +190,7 @@ static void check_doubts(Check *c, const Table *rows)
     double sd, sd_fem;
     const Measure mean = offsets(rows, "ge_wls", &sd);
     claim(c, "T-1b.offsets", "whole rings at ten offsets and angles, N = 32: mean error over FEM's",
-          over(mean, offsets(rows, "fem", &sd_fem)), 0, 1);
+          measure_ratio(mean, offsets(rows, "fem", &sd_fem)), 0, 1);
     claim_note(c, "spread", sd / mean.value);
     claim(c, "T-1b.cfl", "CFL .05 to .8, N = 32: largest error over FEM's at CFL .05",
           worst_step(rows), 0, 1);
@@ -208,20 +209,20 @@ static void check_parts(Check *c, const Table *rows)
 {
     for (int part = 0; part < PARTS; part++) {
         char id[64], text[128], setting[64];
-        Measure gain = sum_of(0);
+        Measure gain = measure_sum_of(0);
         setting_without(part, setting);
         for (int k = 0; k < COARSE; k++) {
             if (cells[k] < 16) continue;
             const Measure ratio =
-                over(value_of(rows, "ring", "ge_wls", cells[k], setting, "error_l2"),
-                     value_of(rows, "ring", "ge_wls", cells[k], "", "error_l2"));
-            gain = sum(gain, with_value(ratio, log(ratio.value) / 5));
+                measure_ratio(value_of(rows, "ring", "ge_wls", cells[k], setting, "error_l2"),
+                              value_of(rows, "ring", "ge_wls", cells[k], "", "error_l2"));
+            gain = measure_sum(gain, measure_with(ratio, log(ratio.value) / 5));
         }
         snprintf(id, sizeof id, "T-1b.part-%s", parts[part].setting);
         snprintf(text, sizeof text,
                  "without %s=%s: rms error on the ring grows, mean factor over N = 16 ... 64",
                  parts[part].setting, parts[part].with);
-        claim_differs(c, id, text, with_value(gain, exp(gain.value)), 1, 10, 0.5, 1,
+        claim_differs(c, id, text, measure_with(gain, exp(gain.value)), 1, 10, 0.5, 1,
                       "what it buys lies elsewhere: see the figure's other scenes");
     }
 }
@@ -229,20 +230,20 @@ static void check_parts(Check *c, const Table *rows)
 /* Energy over that at the start: the last before `t` [s], or the largest so far. */
 static Measure disk_energy(const Results *r, double t, bool most)
 {
-    Measure out = largest_of(INSTANTS);
+    Measure out = measure_max_of(INSTANTS);
     double last = NAN;
     Table *h = results_file(r, "disk.-1");
     for (int k = 0; h && k < h->nrow && select_number(h, k, "t") <= t; k++) {
         last = select_number(h, k, "total") / select_number(h, 0, "total");
-        add_largest(&out, last);
+        measure_add_max(&out, last);
     }
     table_free(h);
-    return most || isnan(out.value) ? out : with_value(out, last);
+    return most || isnan(out.value) ? out : measure_with(out, last);
 }
 
 static void check_scenes(Check *c, const Results *r)
 {
-    Measure rms = sum_of(RIM), scatter = sum_of(RIM);
+    Measure rms = measure_sum_of(RIM), scatter = measure_sum_of(RIM);
     claim(c, "T-1b.disk", "disk: energy over E0 at t = 2.3", disk_energy(r, 2.3, false), 0.98,
           1.005);
     claim(c, "T-1b.disk-late", "and at t = 4", disk_energy(r, late, false), 0.91, 1.005);

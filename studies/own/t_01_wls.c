@@ -95,7 +95,8 @@ static double cut_error(char *path, int n)
         const bool on_x = fabs(x * n - round(x * n)) < 1e-7,
                    on_y = fabs(y * n - round(y * n)) < 1e-7;
         if (on_x == on_y) continue;
-        most = worse(most, lesser(fabs(hypot(x, y) - 0.625), fabs(hypot(x, y) - 1.1)));
+        most =
+            measure_worse(most, measure_lesser(fabs(hypot(x, y) - 0.625), fabs(hypot(x, y) - 1.1)));
     }
     if (f) fclose(f);
     free(path);
@@ -147,7 +148,7 @@ static Measure order(const Table *rows, int run, double from, double to, int mes
 {
     Curve c;
     pick(&c, rows, "error_linf", run);
-    return times(curve_order(&c, from, to, meshes), -1);
+    return measure_times(curve_order(&c, from, to, meshes), -1);
 }
 
 static void check_values(Check *c, const Table *rows)
@@ -174,9 +175,9 @@ static void check_causes(Check *c, const Table *rows)
           error_at(rows, WLS2, 128), 0, 4e-5);
     claim(c, "T-1.no-normals",
           "without the distance along normals the tail is back: error over WLS2's at N = 128",
-          over(error_at(rows, MEAN, 128), error_at(rows, WLS2, 128)), 1.3, 10);
+          measure_ratio(error_at(rows, MEAN, 128), error_at(rows, WLS2, 128)), 1.3, 10);
     claim(c, "T-1.no-exact", "without the exact rule in cut cells: error over WLS2's at N = 128",
-          over(error_at(rows, CENTROID, 128), error_at(rows, WLS2, 128)), 1.3, 10);
+          measure_ratio(error_at(rows, CENTROID, 128), error_at(rows, WLS2, 128)), 1.3, 10);
     claim(c, "T-1.spline-order",
           "the return path through the wide spline keeps second order over N = 64 ... 256",
           order(rows, SPLINE, 64, 256, 5), 1.8, 2.3);
@@ -186,13 +187,13 @@ static void check_causes(Check *c, const Table *rows)
 static void check_failures(Check *c, const Table *rows)
 {
     char where[256];
-    Measure lost = sum_of(5);
+    Measure lost = measure_sum_of(5);
     claim(c, "T-1.c0", "values of nodes only, no slopes: largest error at N = 64 (WLS: 2.7e-4)",
           error_at(rows, C0, 64), 5e-3, 1);
     for (int k = 0; k < 5; k++) {
         const double steps =
             select_ended(rows, "steps", "%s cells=%d", where_is(LITERAL, where), cells[k]).value;
-        add_sum(&lost, isnan(steps) ? NAN : steps < 20);
+        measure_add(&lost, isnan(steps) ? NAN : steps < 20);
     }
     claim(c, "T-1.literal", "the mean of forces as printed: runs of five lost within 20 steps",
           lost, 5, 5);
@@ -206,7 +207,7 @@ static void check_cuts(Check *c, const Results *r)
     for (int m = 0; m < METHODS; m++) {
         Curve curve;
         curve_pick(&curve, t, "cells", "error", "method=%s", cut_methods[m]);
-        order[m] = times(curve_order(&curve, 16, 128, 4), -1);
+        order[m] = measure_times(curve_order(&curve, 16, 128, 4), -1);
         for (int k = 0; k < curve.n; k++) curve.y[k] *= curve.x[k] * curve.x[k];
         most[m] = curve_max(&curve, CUT_MESHES);
     }

@@ -149,7 +149,7 @@ static Measure reach(const Reach *r, const char *method, const char *column)
 
 static Measure ratio(const Reach *r, const char *method, const char *beside, const char *column)
 {
-    return over(reach(r, method, column), reach(r, beside, column));
+    return measure_ratio(reach(r, method, column), reach(r, beside, column));
 }
 
 static void check(Check *c, const Results *r)

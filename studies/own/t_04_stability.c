@@ -88,21 +88,21 @@ static Measure plane(const Table *worst, const char *method, const char *integra
 {
     static const char where[] = "dim=2 method=%s integrator=%s refresh=0 amplitude=%g";
     const double *A = stability_maps[1].A;
-    return least(select_value(worst, "stable", where, method, integrator, A[0]),
-                 select_value(worst, "stable", where, method, integrator, A[1]));
+    return measure_min(select_value(worst, "stable", where, method, integrator, A[0]),
+                       select_value(worst, "stable", where, method, integrator, A[1]));
 }
 
 /* The largest over methods that refuse an integrator for its stale gradient. */
 static Measure best_stale(const Table *worst)
 {
-    Measure best = largest_of(STALE);
+    Measure best = measure_max_of(STALE);
     for (int row = 0; row < worst->nrow; row++) {
         const Pair fresh = {select_text(worst, row, "integrator"), true};
         const Engine *engine = engines[select_number(worst, row, "dim") > 1];
         const char *problem = stability_maps[engine->dim - 1].problem;
         if (select_number(worst, row, "refresh") > 0) continue;
         if (!pair_is_run(engine, problem, select_text(worst, row, "method"), fresh)) continue;
-        add_largest(&best, select_number(worst, row, "stable"));
+        measure_add_max(&best, select_number(worst, row, "stable"));
     }
     return best;
 }
@@ -136,7 +136,8 @@ static void check(Check *c, const Results *r)
         const char *pair = k ? "method=gimp integrator=uvf" : "method=gimp integrator=musl";
         claim(c, k ? "T-4.uvf" : "T-4.musl",
               k ? "and with uvf" : "GIMP with musl: A = 1e-4 and .01, the lower limit",
-              least(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4, 2);
+              measure_min(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4,
+              2);
     }
     claim(c, "T-4.plane-gimp", "2D, own measurement: GIMP with cd, the worse amplitude",
           plane(worst, "gimp", "cd"), 0.65, 0.8);

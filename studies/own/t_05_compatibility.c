@@ -93,21 +93,21 @@ static bool is_among(const Table *rows, int row, int dim, const char *method, in
 /* The largest energy drift of them; there are to - from + 1. */
 static Measure largest_drift(const Table *rows, int dim, const char *method, int from, int to)
 {
-    Measure most = largest_of(to - from + 1);
+    Measure most = measure_max_of(to - from + 1);
     for (int row = 0; row < rows->nrow; row++)
         if (is_among(rows, row, dim, method, from, to))
-            add_largest(&most, fabs(select_kept(rows, row, "energy_drift")));
+            measure_add_max(&most, fabs(select_kept(rows, row, "energy_drift")));
     return most;
 }
 
 /* How many of them were lost, or ended with more than `most` of their energy gained. */
 static Measure losses(const Table *rows, int dim, const char *method, int from, int to, double most)
 {
-    Measure lost = sum_of(to - from + 1);
+    Measure lost = measure_sum_of(to - from + 1);
     for (int row = 0; row < rows->nrow; row++)
         if (is_among(rows, row, dim, method, from, to))
-            add_sum(&lost,
-                    select_is_lost(rows, row) || select_number(rows, row, "energy_drift") > most);
+            measure_add(&lost, select_is_lost(rows, row) ||
+                                   select_number(rows, row, "energy_drift") > most);
     return lost;
 }
 
@@ -124,8 +124,8 @@ static void check(Check *c, const Results *r)
           "GIMP keeps the energy in all five integrators: largest change in ten periods",
           largest_drift(r->rows, 1, "gimp", CD, USF), 0, 0.0008);
     claim(c, "T-5.stale", "a stale gradient with musl, uvf or usf: runs lost of six",
-          sum(losses(r->rows, 1, "ge_gimp", MUSL, USF, INFINITY),
-              losses(r->rows, 1, "ge_mpm", MUSL, USF, INFINITY)),
+          measure_sum(losses(r->rows, 1, "ge_gimp", MUSL, USF, INFINITY),
+                      losses(r->rows, 1, "ge_mpm", MUSL, USF, INFINITY)),
           6, 6);
     claim(c, "T-5.ge-gimp", "GE-GIMP is stable with cd and usl: largest energy change",
           largest_drift(r->rows, 1, "ge_gimp", CD, USL), 0, 0.05);
@@ -142,8 +142,8 @@ static void check(Check *c, const Results *r)
           losses(r->rows, 2, "gimp", CD, USF, INFINITY), 0, 0);
     claim(c, "T-5.plane-stale",
           "2D: a stale gradient: runs lost, or with twice their energy, of six",
-          sum(losses(r->rows, 2, "ge_gimp", MUSL, USF, 0.5),
-              losses(r->rows, 2, "ge_mpm", MUSL, USF, 0.5)),
+          measure_sum(losses(r->rows, 2, "ge_gimp", MUSL, USF, 0.5),
+                      losses(r->rows, 2, "ge_mpm", MUSL, USF, 0.5)),
           6, 6);
     claim(c, "T-5.plane-ge-gimp", "2D: GE-GIMP with cd and usl: largest energy change",
           largest_drift(r->rows, 2, "ge_gimp", CD, USL), 0, 0.05);

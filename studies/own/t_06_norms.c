@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "studies/tables/curves.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 
 enum { NORMS = 6, MESHES = 5 };
 static const char *const norms[NORMS] = {"linf over time",  "l2 over time",  "l1 over time",
@@ -55,7 +55,7 @@ static void end_norms(const Table *points, double out[3])
     double most = points->nrow ? 0 : NAN, square = 0, total = 0, weight = 0;
     for (int k = 0; k < points->nrow; k++) {
         const double e = select_number(points, k, "error"), w = select_number(points, k, "weight");
-        most = worse(most, e);
+        most = measure_worse(most, e);
         square += w * e * e;
         total += w * e;
         weight += w;
@@ -145,17 +145,17 @@ static Same compare(const Cloud *mesh, const Cloud *particles, double h)
 {
     Same s = {0};
     for (int k = 0; k < mesh->n; k++) {
-        s.all[0] = worse(s.all[0], mesh->error[k]);
+        s.all[0] = measure_worse(s.all[0], mesh->error[k]);
         const int p = nearest_inside(particles, mesh->x[k], mesh->y[k], h);
         if (p < 0) continue;
         const double e[2] = {mesh->error[k], particles->error[p]};
         for (int c = 0; c < 2; c++) {
-            s.linf[c] = worse(s.linf[c], e[c]);
+            s.linf[c] = measure_worse(s.linf[c], e[c]);
             s.l1[c] += e[c];
         }
         s.pairs++;
     }
-    for (int k = 0; k < particles->n; k++) s.all[1] = worse(s.all[1], particles->error[k]);
+    for (int k = 0; k < particles->n; k++) s.all[1] = measure_worse(s.all[1], particles->error[k]);
     for (int c = 0; c < 2; c++) s.l1[c] /= s.pairs;
     return s;
 }
@@ -202,31 +202,31 @@ static Measure norm(const Table *t, const char *problem, const char *method, int
 /* Largest less least order of six. */
 static Measure order_spread(const Table *t, const char *problem, const char *method)
 {
-    Measure most = largest_of(0), low = least_of(0);
+    Measure most = measure_max_of(0), low = measure_min_of(0);
     for (int k = 0; k < NORMS; k++) {
-        most = largest(most, norm(t, problem, method, k, "order"));
-        low = least(low, norm(t, problem, method, k, "order"));
+        most = measure_max(most, norm(t, problem, method, k, "order"));
+        low = measure_min(low, norm(t, problem, method, k, "order"));
     }
-    return with_value(most, most.value - low.value);
+    return measure_with(most, most.value - low.value);
 }
 
 /* GIMP's error over FEM's on the ring: the largest ratio of six over the least. */
 static Measure ratio_spread(const Table *t)
 {
-    Measure most = largest_of(0), low = least_of(0);
+    Measure most = measure_max_of(0), low = measure_min_of(0);
     for (int k = 0; k < NORMS; k++) {
         const Measure r =
-            over(norm(t, "ring", "gimp", k, "error"), norm(t, "ring", "fem", k, "error"));
-        most = largest(most, r);
-        low = least(low, r);
+            measure_ratio(norm(t, "ring", "gimp", k, "error"), norm(t, "ring", "fem", k, "error"));
+        most = measure_max(most, r);
+        low = measure_min(low, r);
     }
-    return times(most, 1 / low.value);
+    return measure_times(most, 1 / low.value);
 }
 
 static Measure same_ratio(const Table *same, int cells, const char *particles, const char *mesh)
 {
-    return over(select_value(same, particles, "method=gimp cells=%d", cells),
-                select_value(same, mesh, "method=gimp cells=%d", cells));
+    return measure_ratio(select_value(same, particles, "method=gimp cells=%d", cells),
+                         select_value(same, mesh, "method=gimp cells=%d", cells));
 }
 
 static void check_tables(Check *c, const Table *t, const Table *same)

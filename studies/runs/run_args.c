@@ -8,7 +8,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "engines.h"
-#include "memory.h"
+#include "must.h"
 
 const Option run_args_options[] = {
     {"method", "M", "how particles and grid exchange information (default gimp)"},

@@ -29,8 +29,8 @@ Measure curve_at(const Curve *c, double x)
 
 Measure curve_max(const Curve *c, int needs)
 {
-    Measure most = largest_of(needs);
-    for (int k = 0; k < c->n; k++) add_largest(&most, c->y[k]);
+    Measure most = measure_max_of(needs);
+    for (int k = 0; k < c->n; k++) measure_add_max(&most, c->y[k]);
     return most;
 }
 
@@ -38,15 +38,15 @@ Measure curve_settles(const Curve *c, double level, int needs)
 {
     double from = NAN;
     for (int k = c->n - 1; k >= 0 && c->y[k] <= level; k--) from = c->x[k];
-    return with_value(curve_max(c, needs), isnan(curve_max(c, needs).value) ? NAN : from);
+    return measure_with(curve_max(c, needs), isnan(curve_max(c, needs).value) ? NAN : from);
 }
 
 Measure curve_deviation(const Curve *c, int n, const double printed[][3])
 {
-    Measure worst = largest_of(n);
+    Measure worst = measure_max_of(n);
     for (int k = 0; k < n; k++) {
         const Measure y = curve_at(c, printed[k][0]);
-        add_largest(&worst, fabs(y.value / printed[k][1] - 1) * printed[k][2]);
+        measure_add_max(&worst, fabs(y.value / printed[k][1] - 1) * printed[k][2]);
     }
     return worst;
 }
@@ -79,7 +79,7 @@ Measure curve_worst(const Table *t, const char *methods, int each, const char *w
         Curve c;
         curve_pick(&c, t, want, want, "method=%s %s", m, where);
         const Measure most = c.n ? curve_max(&c, each) : measure(NAN, 0, each);
-        worst = worst.needs ? largest(worst, most) : most;
+        worst = worst.needs ? measure_max(worst, most) : most;
     }
     return worst;
 }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/runs/engines.h"
 #include "studies/runs/run_args.h"
 #include "studies/select.h"

@@ -3,7 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/select.h"
 
 static const double radius = 0.5; /* [m], of the hole; the plate is 1 m wide */
@@ -66,8 +66,8 @@ Rim hole_read(const Table *t, int cells, const HoleReference *r)
     for (int k = 0; k < t->nrow; k++) {
         const double X = select_number(t, k, "X"), Y = select_number(t, k, "Y");
         if (select_number(t, k, "surface") > 0) continue;
-        rim.moved =
-            worse(rim.moved, hypot(select_number(t, k, "x") - X, select_number(t, k, "y") - Y));
+        rim.moved = measure_worse(
+            rim.moved, hypot(select_number(t, k, "x") - X, select_number(t, k, "y") - Y));
         if (hypot(X, Y) - radius > 0.35 / cells + 1e-12) continue;
         p[rim.n++] = (Point){atan2(Y, X) * 180 / M_PI, 1e-9 * select_number(t, k, "von_mises"),
                              hole_reference_at(r, X, Y)};

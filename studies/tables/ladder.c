@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/select.h"
 
 Grade ladder_row_grade(const Table *rows, int row)

@@ -27,16 +27,16 @@ static Measure unity(const Curve *S)
 {
     double worst = 0;
     for (int k = PARTS; k + PARTS < S->n; k++)
-        worst = worse(worst, fabs(S->y[k - PARTS] + S->y[k] + S->y[k + PARTS] - 1));
-    return with_value(curve_max(S, SAMPLES), worst);
+        worst = measure_worse(worst, fabs(S->y[k - PARTS] + S->y[k] + S->y[k + PARTS] - 1));
+    return measure_with(curve_max(S, SAMPLES), worst);
 }
 
 /* Largest change between samples h/256 apart. */
 static Measure jump(const Curve *G)
 {
     double worst = 0;
-    for (int k = 1; k < G->n; k++) worst = worse(worst, fabs(G->y[k] - G->y[k - 1]));
-    return with_value(curve_max(G, SAMPLES), worst);
+    for (int k = 1; k < G->n; k++) worst = measure_worse(worst, fabs(G->y[k] - G->y[k - 1]));
+    return measure_with(curve_max(G, SAMPLES), worst);
 }
 
 static void check(Check *c, const Results *r)

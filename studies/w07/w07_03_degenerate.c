@@ -34,17 +34,17 @@ static Measure error(const Table *rows, int method, int arrangement)
 /* Worst of the two enhanced methods in all four arrangements. */
 static Measure worst_enhanced(const Table *rows)
 {
-    Measure worst = largest_of(2 * ARRANGEMENTS);
+    Measure worst = measure_max_of(2 * ARRANGEMENTS);
     for (int a = 0; a < ARRANGEMENTS; a++)
-        for (int m = 2; m < METHODS; m++) add_largest(&worst, error(rows, m, a).value);
+        for (int m = 2; m < METHODS; m++) measure_add_max(&worst, error(rows, m, a).value);
     return worst;
 }
 
 /* Least of a method in the three arrangements that are not centred. */
 static Measure least_of_others(const Table *rows, int method)
 {
-    Measure out = least_of(ARRANGEMENTS - 1);
-    for (int a = 1; a < ARRANGEMENTS; a++) add_least(&out, error(rows, method, a).value);
+    Measure out = measure_min_of(ARRANGEMENTS - 1);
+    for (int a = 1; a < ARRANGEMENTS; a++) measure_add_min(&out, error(rows, method, a).value);
     return out;
 }
 

@@ -25,17 +25,17 @@ static Measure exponent(const Curve *c, double width)
         const int i = (int)floor((c->x[k] - 2) / width);
         if (c->x[k] < 2 || i >= intervals || c->y[k] <= worst[i]) continue;
         if (!isnan(worst[i])) at[i] = c->x[k];
-        worst[i] = worse(worst[i], c->y[k]);
+        worst[i] = measure_worse(worst[i], c->y[k]);
     }
-    return with_value(curve_max(c, POINTS), curve_slope(intervals, at, worst));
+    return measure_with(curve_max(c, POINTS), curve_slope(intervals, at, worst));
 }
 
 /* The largest error at the 20 whole and half PPC. */
 static Measure worst_zero(const Curve *c)
 {
-    Measure worst = largest_of(20);
+    Measure worst = measure_max_of(20);
     for (int k = 0; k < c->n; k++)
-        if (fabs(2 * c->x[k] - round(2 * c->x[k])) <= 1e-9) add_largest(&worst, c->y[k]);
+        if (fabs(2 * c->x[k] - round(2 * c->x[k])) <= 1e-9) measure_add_max(&worst, c->y[k]);
     return worst;
 }
 

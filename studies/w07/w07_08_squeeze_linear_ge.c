@@ -33,8 +33,8 @@ static void add_nodes(Measure *worst, const Results *r, const char *method, int 
     snprintf(part, sizeof part, "%s.%d", method, particles);
     Table *nodes = results_file(r, part);
     for (int i = 0; nodes && i < nodes->nrow; i++)
-        add_largest(worst,
-                    fabs(select_number(nodes, i, "vx") / (1 + select_number(nodes, i, "x")) - 1));
+        measure_add_max(
+            worst, fabs(select_number(nodes, i, "vx") / (1 + select_number(nodes, i, "x")) - 1));
     table_free(nodes);
 }
 
@@ -44,7 +44,7 @@ static void check(Check *c, const Results *r)
     static const char *const says[METHODS] = {
         "tents with the gradient: largest error over 50 to 1000 particles",
         "GIMP with the gradient: largest error over 50 to 1000 particles"};
-    Measure worst = largest_of(METHODS * SAMPLES * (CELLS + 1));
+    Measure worst = measure_max_of(METHODS * SAMPLES * (CELLS + 1));
     Curve curve;
     for (int m = 0; m < METHODS; m++) {
         curve_pick(&curve, r->rows, "ppc", "error_linf", "method=%s", methods[m]);

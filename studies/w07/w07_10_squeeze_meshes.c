@@ -17,14 +17,14 @@ static void cases(Cases *list, bool quick)
 static void check(Check *c, const Results *r)
 {
     double h[MESHES], error[MESHES];
-    Measure off = largest_of(MESHES);
+    Measure off = measure_max_of(MESHES);
     for (int k = 0; k < MESHES; k++) {
         h[k] = 1.0 / cells[k];
         error[k] = select_value(r->rows, "error_linf", "cells=%d ppc=10", cells[k]).value;
-        add_largest(&off, fabs(error[k] / printed[k] - 1));
+        measure_add_max(&off, fabs(error[k] / printed[k] - 1));
     }
     claim(c, "W07-10.order", "the plateau falls with h^2: order at 10 particles per cell",
-          with_value(off, curve_slope(MESHES, h, error)), 1.97, 1.99);
+          measure_with(off, curve_slope(MESHES, h, error)), 1.97, 1.99);
     claim(c, "W07-10.values", "largest departure from 6.440e-5, 1.642e-5, 4.146e-6", off, 0, 0.001);
 }
 

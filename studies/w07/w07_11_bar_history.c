@@ -58,9 +58,9 @@ static void tables(const Results *r)
 static Measure fine_tip(const Results *r)
 {
     Table *t = results_file(r, "fine");
-    Measure u = sum_of(1);
+    Measure u = measure_sum_of(1);
     if (t && t->nrow > 0)
-        add_sum(&u, select_number(t, t->nrow - 1, "x") - select_number(t, t->nrow - 1, "X"));
+        measure_add(&u, select_number(t, t->nrow - 1, "x") - select_number(t, t->nrow - 1, "X"));
     table_free(t);
     return u;
 }
@@ -82,13 +82,13 @@ static void check(Check *check, const Results *r)
     const Measure most = curve_max(&tip, INSTANTS);
     claim_differs(
         check, "W07-11.amplitude",
-        "the tip's amplitude is v0 L/c: largest displacement over that, h = 1/40", times(most, c),
-        0.98, 1.02, 0.95, 0.98,
+        "the tip's amplitude is v0 L/c: largest displacement over that, h = 1/40",
+        measure_times(most, c), 0.98, 1.02, 0.95, 0.98,
         "GIMP rounds the sharp peak by 3 to 4 percent on 40 cells; finer ones sharpen it");
-    claim(check, "W07-11.amplitude-fine", "the same with h = 1/160", times(fine_tip(r), c), 0.98,
-          1.02);
+    claim(check, "W07-11.amplitude-fine", "the same with h = 1/160", measure_times(fine_tip(r), c),
+          0.98, 1.02);
     claim(check, "W07-11.period", "period of the tip's displacement over 4 L/c",
-          with_value(most, last_rise(&tip) / period), 0.98, 1.02);
+          measure_with(most, last_rise(&tip) / period), 0.98, 1.02);
 }
 
 const Study study_w07_11_bar_history = {

@@ -53,13 +53,13 @@ static int next_run(const Table *rows, int row, int method, double periods)
  * with a limit on the error, ended or got worse than that. */
 static Measure lost_by(const Table *rows, int method, double periods, double until, double limit)
 {
-    Measure lost = sum_of(fabs(periods - 5) < 0.1 ? CENSUS : RUNS);
+    Measure lost = measure_sum_of(fabs(periods - 5) < 0.1 ? CENSUS : RUNS);
     for (int row = -1; (row = next_run(rows, row, method, periods)) >= 0;) {
         const double end =
             select_number(rows, row, "steps") * select_number(rows, row, "dt") / period;
         const bool early = select_is_lost(rows, row) && (until >= periods || !(end >= until));
         const double error = isinf(limit) || early ? 0 : select_number(rows, row, "error_linf");
-        add_sum(&lost, isnan(error) ? NAN : early || error > limit);
+        measure_add(&lost, isnan(error) ? NAN : early || error > limit);
     }
     return lost;
 }
@@ -86,7 +86,7 @@ static bool is_awkward(double ppc, double low, double high)
 static Measure typical(const Table *rows, int method, double periods, double low, double high)
 {
     double errors[RUNS];
-    Measure out = sum_of(0);
+    Measure out = measure_sum_of(0);
     int n = 0;
     for (int count = FEWEST; count <= MOST; count += APART)
         out.needs += is_awkward(count / 40.0, low, high);
@@ -106,18 +106,18 @@ static Measure typical(const Table *rows, int method, double periods, double low
 static Measure order(const Table *rows, int method, const char *error)
 {
     double sum = 0, h[MESHES], e[MESHES];
-    Measure all = sum_of(ORDERS * MESHES);
+    Measure all = measure_sum_of(ORDERS * MESHES);
     for (int k = 0; k < ORDERS; k++) {
         for (int i = 0; i < MESHES; i++) {
             h[i] = 1.0 / meshes[i];
             e[i] = select_value(rows, error, "method=%s cells=%d particles=%d t_end=%.17g",
                                 methods[method], meshes[i], scaled(counts[k], meshes[i]), period)
                        .value;
-            add_sum(&all, e[i]);
+            measure_add(&all, e[i]);
         }
         sum += curve_slope(MESHES, h, e) / (double)ORDERS;
     }
-    return with_value(all, sum);
+    return measure_with(all, sum);
 }
 
 static void check_losses(Check *c, const Table *rows)
@@ -132,19 +132,20 @@ static void check_losses(Check *c, const Table *rows)
           lost_by(rows, GE_GIMP, 5, 5, INFINITY), 0, 0);
     claim(c, "W07-12.ge-mpm-unstable",
           "GE-MPM is pathologically unstable: share lost, or wrong by 0.2, by two periods",
-          times(lost_by(rows, GE_MPM, 2, 2, 0.2), 1 / (double)RUNS), 0.8, 1);
+          measure_times(lost_by(rows, GE_MPM, 2, 2, 0.2), 1 / (double)RUNS), 0.8, 1);
 }
 
 static void check_forty_percent(Check *c, const Table *rows)
 {
     Measure ratios[4];
     for (int d = 0; d < 4; d++)
-        ratios[d] = over(typical(rows, GE_GIMP, durations[d], 2, 10),
-                         typical(rows, GIMP, durations[d], 2, 10));
+        ratios[d] = measure_ratio(typical(rows, GE_GIMP, durations[d], 2, 10),
+                                  typical(rows, GIMP, durations[d], 2, 10));
     const Measure at_one = ratios[2];
     claim(c, "W07-12.ratio", "median of GE-GIMP over that of GIMP, one period", at_one, 0.69, 0.77);
     claim(c, "W07-12.ratio-least", "least of these ratios after 1/4, 1/2, 1, 2 periods: never .65",
-          least(least(ratios[0], ratios[1]), least(at_one, ratios[3])), 0.65, 0.82);
+          measure_min(measure_min(ratios[0], ratios[1]), measure_min(at_one, ratios[3])), 0.65,
+          0.82);
     claim_differs(c, "W07-12.forty-percent",
                   "gradient enhancement lowers GIMP's error by about forty percent: ratio .55-.65",
                   at_one, 0.55, 0.65, 0.70, 0.82,
@@ -174,7 +175,7 @@ static void check(Check *c, const Results *r)
     claim(
         c, "W07-12.low-ppc",
         "GIMP is far better at few particles per cell: MPM's median error over GIMP's, PPC 1 to 3",
-        over(typical(r->rows, MPM, 1, 1, 3), typical(r->rows, GIMP, 1, 1, 3)), 2, 100);
+        measure_ratio(typical(r->rows, MPM, 1, 1, 3), typical(r->rows, GIMP, 1, 1, 3)), 2, 100);
     check_forty_percent(c, r->rows);
     check_losses(c, r->rows);
     check_orders(c, r->rows);

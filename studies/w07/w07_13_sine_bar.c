@@ -52,11 +52,12 @@ static void pick(Curve *c, const Table *rows, const char *x, int law, int method
 static Measure mean_ratio(const Table *rows)
 {
     Curve gimp, ge;
-    Measure mean = sum_of(2 * MESHES);
+    Measure mean = measure_sum_of(2 * MESHES);
     pick(&gimp, rows, "cells", 0, 1);
     pick(&ge, rows, "cells", 0, 2);
     for (int k = 0; k < ge.n; k++) {
-        const Measure ratio = over(measure(ge.y[k], !isnan(ge.y[k]), 1), curve_at(&gimp, ge.x[k]));
+        const Measure ratio =
+            measure_ratio(measure(ge.y[k], !isnan(ge.y[k]), 1), curve_at(&gimp, ge.x[k]));
         mean.value += ratio.value / (double)MESHES;
         mean.rows += ratio.rows;
     }
@@ -98,7 +99,7 @@ static void check(Check *c, const Results *r)
     pick(&curve, r->rows, "cells", 1, 1);
     claim(c, "W07-13.tail-off",
           "the neo-Hookean curve tails off at finite strain: GIMP's error at 1/160, over A^2",
-          times(curve_at(&curve, 160), 1 / 0.01), 0.49, 0.53);
+          measure_times(curve_at(&curve, 160), 1 / 0.01), 0.49, 0.53);
 }
 
 const Study study_w07_13_sine_bar = {

@@ -20,13 +20,13 @@ static void cases(Cases *list, bool quick)
  */
 static Measure asymmetry(const Table *start, const Table *half)
 {
-    Measure worst = largest_of(PARTICLES);
+    Measure worst = measure_max_of(PARTICLES);
     for (int p = 0; start && half && p < start->nrow && p < half->nrow; p++) {
         double dx = select_number(start, p, "x") + select_number(half, p, "x") -
                     2 * select_number(start, p, "X");
         double dy = select_number(start, p, "y") + select_number(half, p, "y") -
                     2 * select_number(start, p, "Y");
-        add_largest(&worst, hypot(dx, dy) / 0.004);
+        measure_add_max(&worst, hypot(dx, dy) / 0.004);
     }
     return worst;
 }

@@ -96,8 +96,8 @@ static void check(Check *c, const Results *r)
     const Measure at_16 = area_of(r, "at_16", ring), at_32 = area_of(r, "at_32", ring);
     claim(c, "W11-1.wls-16",
           "WLS's cells against the ring's area, N = 16, at the start: relative error",
-          with_value(at_16, fabs(at_16.value - 1)), 0, 3e-5);
-    claim(c, "W11-1.wls-32", "the same at N = 32", with_value(at_32, fabs(at_32.value - 1)), 0,
+          measure_with(at_16, fabs(at_16.value - 1)), 0, 3e-5);
+    claim(c, "W11-1.wls-32", "the same at N = 32", measure_with(at_32, fabs(at_32.value - 1)), 0,
           3e-5);
     const int boxes = measure_boxes(r, &gaps, &overlaps);
     claim(c, "W11-1.gimp-gaps", "GIMP's boxes leave gaps: part of the ring at 10 ms, N = 8",

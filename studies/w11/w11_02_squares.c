@@ -84,7 +84,7 @@ static double departure(const double d[4])
         own[1] += area * centre[0];
         own[2] += area * centre[1];
     }
-    for (int m = 0; m < 3; m++) worst = worse(worst, fabs(own[m] - sum[m]));
+    for (int m = 0; m < 3; m++) worst = measure_worse(worst, fabs(own[m] - sum[m]));
     return worst;
 }
 
@@ -102,7 +102,7 @@ static double worst_departure(int *masks)
                 const double size = 0.01 + (double)state / 2147483648;
                 d[corner] = *masks >> corner & 1 ? size : -size;
             }
-            worst = worse(worst, departure(d));
+            worst = measure_worse(worst, departure(d));
         }
     return worst;
 }
@@ -115,7 +115,7 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-2.masks",
           "all 16 masks, a thousand distances each: area and first moments of the shape against "
           "formulas by hand, largest departure",
-          closed_form(worst), 0, 1e-12);
+          measure_formula(worst), 0, 1e-12);
     claim_note(c, "masks", masks);
 }
 

@@ -38,7 +38,7 @@ static void weigh(const Table *t, double most[SIDE][SIDE])
         const double n = (double)CELLS * stretch, x = n * X, y = n * Y;
         for (int j = 0; j < SIDE; j++)
             for (int i = 0; i < SIDE; i++)
-                most[j][i] = worse(most[j][i], spline(x - i) * spline(y - j));
+                most[j][i] = measure_worse(most[j][i], spline(x - i) * spline(y - j));
     }
 }
 
@@ -65,12 +65,12 @@ static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "nodes");
     int spurious = 0;
-    Measure inner = sum_of(INNER);
+    Measure inner = measure_sum_of(INNER);
     for (int row = 0; row < t->nrow; row++) {
         const double R = hypot(select_number(t, row, "x"), select_number(t, row, "y"));
         const double is = select_kept(t, row, "spurious");
         spurious += is > 0;
-        if (R >= 0.625 && R <= 1.1) add_sum(&inner, is);
+        if (R >= 0.625 && R <= 1.1) measure_add(&inner, is);
     }
     claim(c, "W11-3.outside", "no node inside the ring is spurious: how many are", inner, 0, 0);
     claim_note(c, "trigger", trigger);

@@ -58,14 +58,14 @@ static Bounce bounce(const Results *r, const char *part)
 {
     Table *t = results_file(r, part);
     const double E0 = t && t->nrow ? select_number(t, 0, "total") : NAN;
-    Bounce b = {E0, least_of(INSTANTS), NAN, largest_of(INSTANTS), NAN};
+    Bounce b = {E0, measure_min_of(INSTANTS), NAN, measure_max_of(INSTANTS), NAN};
     double before = NAN, when = NAN;
     for (int k = 0; t && k < t->nrow; k++) {
         const double now = select_number(t, k, "t"), kinetic = select_number(t, k, "kinetic") / E0;
         const double total = select_number(t, k, "total") / E0;
         if (now < 1.6 && kinetic < b.least.value) b.at = now;
-        if (now < 1.6) add_least(&b.least, kinetic);
-        if (now <= 2.3) add_largest(&b.over, total - 1);
+        if (now < 1.6) measure_add_min(&b.least, kinetic);
+        if (now <= 2.3) measure_add_max(&b.over, total - 1);
         if (now >= 2.3 && isnan(b.back))
             b.back = before + (total - before) * (2.3 - when) / (now - when);
         before = total;
@@ -85,20 +85,21 @@ static void check_one(Check *c, const Results *r, const char *method, const char
     claim(c, id, text, b.least, 0.52, 0.54);
     snprintf(id, sizeof id, "W11-8.when-%s", method);
     snprintf(text, sizeof text, "%s: time of the least kinetic energy [s]", label);
-    claim(c, id, text, with_value(b.least, b.at), 0.90, 0.96);
+    claim(c, id, text, measure_with(b.least, b.at), 0.90, 0.96);
     snprintf(id, sizeof id, "W11-8.back-%s", method);
     snprintf(text, sizeof text, "%s: total energy over E0 at t = 2.3, after the rebound", label);
-    claim(c, id, text, with_value(b.over, b.back), low, high);
+    claim(c, id, text, measure_with(b.over, b.back), low, high);
 }
 
 /* Largest change of the total energy in one step before t = 2.3, over E0. */
 static Measure largest_jump(const Results *r, const char *part)
 {
     Table *t = results_file(r, part);
-    Measure most = largest_of(INSTANTS);
+    Measure most = measure_max_of(INSTANTS);
     for (int k = 1; t && k < t->nrow && select_number(t, k, "t") <= 2.3; k++)
-        add_largest(&most, fabs(select_number(t, k, "total") - select_number(t, k - 1, "total")) /
-                               select_number(t, 0, "total"));
+        measure_add_max(&most,
+                        fabs(select_number(t, k, "total") - select_number(t, k - 1, "total")) /
+                            select_number(t, 0, "total"));
     table_free(t);
     return most;
 }
@@ -113,7 +114,7 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-8.smooth-gimp", "GIMP: the same", largest_jump(r, "gimp"), 0, 0.01);
     claim(c, "W11-8.unilateral",
           "a wall that lets go halves WLS's overshoot of energy: ratio of largest total less E0",
-          over(bounce(r, "wls_unilateral").over, bounce(r, "wls").over), 0, 0.65);
+          measure_ratio(bounce(r, "wls_unilateral").over, bounce(r, "wls").over), 0, 0.65);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         char note[64];
         const Bounce b = bounce(r, (*m)->name);

@@ -26,11 +26,11 @@ static void cases(Cases *list, bool quick)
 static Measure largest_mises(const Results *r, const char *method, const char *time)
 {
     char part[64];
-    Measure most = largest_of(PARTICLES);
+    Measure most = measure_max_of(PARTICLES);
     snprintf(part, sizeof part, "%s.%s", method, time);
     Table *t = results_file(r, part);
     for (int k = 0; t && k < t->nrow; k++)
-        add_largest(&most, select_number(t, k, "von_mises") / 1e9);
+        measure_add_max(&most, select_number(t, k, "von_mises") / 1e9);
     table_free(t);
     return most;
 }
@@ -40,7 +40,7 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-9.rest", "at 0 us the plate is free of stress: largest [GPa]",
           largest_mises(r, "wls2", "0"), 0, 1e-6);
     claim(c, "W11-9.growth", "WLS2: largest von Mises stress at 464 us over that at 696 us",
-          over(largest_mises(r, "wls2", "464"), largest_mises(r, "wls2", "696")), 0.5, 1);
+          measure_ratio(largest_mises(r, "wls2", "464"), largest_mises(r, "wls2", "696")), 0.5, 1);
 }
 
 const Study study_w11_09_plate_stress = {

@@ -80,16 +80,16 @@ static void check_reference(Check *c, const Results *r)
 {
     static const double known[] = {78.0, 57.7, 22.4, 10.9, 41.1, 67.6, 90.2, 108.4, 120.6, 125.0};
     Curve truth;
-    Measure worst = largest_of(10);
+    Measure worst = measure_max_of(10);
     curve_pick(&truth, results_part(r, "truth"), "angle", "von_mises", " ");
     for (int k = 0; k < 10; k++)
-        add_largest(&worst, fabs(curve_at(&truth, 10 * k).value - known[k]));
+        measure_add_max(&worst, fabs(curve_at(&truth, 10 * k).value - known[k]));
     const Measure peak = curve_max(&truth, 91);
     claim(c, "W11-10.reference",
           "FEM, N = 256: ten values along the hole, largest difference [GPa]", worst, 0, 0.5);
     claim(c, "W11-10.peak", "the reference's largest stress [GPa]", peak, 124.7, 125.3);
     claim(c, "W11-10.peak-place", "which is at 90 degrees: the value there over it",
-          with_value(peak, curve_at(&truth, 90).value / peak.value), 1, 1);
+          measure_with(peak, curve_at(&truth, 90).value / peak.value), 1, 1);
 }
 
 static Measure result(const Table *sums, const char *want, const char *method, int cells)
@@ -120,12 +120,13 @@ static void check_stress(Check *c, const Table *sums)
     claim(c, "W11-10.rms-wls2", "WLS2: the same", result(sums, "rms", "wls2", 32), 0, 4);
     claim(c, "W11-10.rms-gimp", "GIMP: the same", result(sums, "rms", "gimp", 32), 25, 100);
     claim(c, "W11-10.near-fem", "WLS is nearly as accurate as FEM: rms difference over FEM's",
-          over(result(sums, "rms", "wls", 32), result(sums, "rms", "fem", 32)), 0, 1.5);
+          measure_ratio(result(sums, "rms", "wls", 32), result(sums, "rms", "fem", 32)), 0, 1.5);
     claim(c, "W11-10.scatter", "GIMP has more scatter: its scatter over WLS2's, h = 1/32",
-          over(result(sums, "scatter", "gimp", 32), result(sums, "scatter", "wls2", 32)), 3, 100);
+          measure_ratio(result(sums, "scatter", "gimp", 32), result(sums, "scatter", "wls2", 32)),
+          3, 100);
     claim(c, "W11-10.gimp-finer",
           "GIMP gets worse on finer meshes: rms difference at h = 1/64 over that at 1/16",
-          over(result(sums, "rms", "gimp", 64), result(sums, "rms", "gimp", 16)), 1, 100);
+          measure_ratio(result(sums, "rms", "gimp", 64), result(sums, "rms", "gimp", 16)), 1, 100);
 }
 
 static void check(Check *c, const Results *r)
@@ -136,7 +137,7 @@ static void check(Check *c, const Results *r)
     check_moved(c, sums);
     check_stress(c, sums);
     claim(c, "W11-10.whole", "WLS2 completes on every mesh, h = 1/16 to 1/64: of five",
-          with_value(lost, (double)MESHES - lost.value), 5, 5);
+          measure_with(lost, (double)MESHES - lost.value), 5, 5);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         char note[64];
         snprintf(note, sizeof note, "rms_%s", (*m)->name);

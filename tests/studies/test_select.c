@@ -5,6 +5,7 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include "studies/engine/palette.h"
 #include "studies/select.h"
 #include "tests/check.h"
 
@@ -107,11 +108,29 @@ static void test_words(void)
     CU_ASSERT(!select_word(&rest, word));
 }
 
+/* Every method has a colour of its own, however many there will be. */
+static void test_colours(void)
+{
+    enum { MANY = 60 };
+    char colour[MANY][8];
+    for (int k = 0; k < MANY; k++) {
+        palette_colour(k, colour[k]);
+        CU_ASSERT(strlen(colour[k]) == 7 && palette_marker(k) > 0);
+        for (int j = 0; j < k; j++) CU_ASSERT(strcmp(colour[j], colour[k]) != 0);
+    }
+    char *settings = palette_settings();
+    CU_ASSERT_PTR_NOT_NULL(strstr(settings, "METHODS='mpm gimp ge_mpm"));
+    CU_ASSERT_PTR_NOT_NULL(strstr(settings, "LABELS='MPM GIMP GE-MPM"));
+    CU_ASSERT_PTR_NOT_NULL(strstr(settings, "COLOURS='#D55E00 "));
+    free(settings);
+}
+
 extern const TestCase select_tests[];
 const TestCase select_tests[] = {
     {"rows by columns", test_columns},
     {"rows by settings", test_settings},
     {"a name that no table has is a fault", test_unknown},
     {"words of a list", test_words},
+    {"a colour per method", test_colours},
     {NULL, NULL},
 };

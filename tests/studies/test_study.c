@@ -192,22 +192,23 @@ static void test_curves(void)
 static void test_measures(void)
 {
     for (int bad = 0; bad < 3; bad++) {
-        Measure most = largest_of(3), low = least_of(3), all = sum_of(3);
+        Measure most = measure_max_of(3), low = measure_min_of(3), all = measure_sum_of(3);
         for (int k = 0; k < 3; k++) {
-            add_largest(&most, k == bad ? (double)NAN : k);
-            add_least(&low, k == bad ? (double)NAN : k);
-            add_sum(&all, k == bad ? (double)NAN : k);
+            measure_add_max(&most, k == bad ? (double)NAN : k);
+            measure_add_min(&low, k == bad ? (double)NAN : k);
+            measure_add(&all, k == bad ? (double)NAN : k);
         }
         CU_ASSERT(isnan(most.value) && isnan(low.value) && isnan(all.value));
         CU_ASSERT(most.rows == 2 && low.rows == 2 && all.rows == 2 && most.needs == 3);
     }
-    CHECK_CLOSE(worse(1, 2), 2, 0);
-    CHECK_CLOSE(lesser(1, 2), 1, 0);
-    CU_ASSERT(isnan(worse(NAN, 1)) && isnan(worse(1, NAN)) && isnan(lesser(NAN, 1)));
-    const Measure many = measure(6, 9, 2), few = measure(3, 1, 2), ratio = over(many, few);
+    CHECK_CLOSE(measure_worse(1, 2), 2, 0);
+    CHECK_CLOSE(measure_lesser(1, 2), 1, 0);
+    CU_ASSERT(isnan(measure_worse(NAN, 1)) && isnan(measure_worse(1, NAN)) &&
+              isnan(measure_lesser(NAN, 1)));
+    const Measure many = measure(6, 9, 2), few = measure(3, 1, 2), ratio = measure_ratio(many, few);
     CHECK_CLOSE(ratio.value, 2, 0);
     CU_ASSERT(ratio.rows == 3 && ratio.needs == 4); /* too many here are no help there */
-    CU_ASSERT(sum(many, many).rows == 18 && closed_form(1).needs == 0);
+    CU_ASSERT(measure_sum(many, many).rows == 18 && measure_formula(1).needs == 0);
 }
 
 /* An order is over all meshes that it names, or none. */
