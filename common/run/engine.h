@@ -17,6 +17,7 @@ typedef struct Engine {
     const Info *const *problems;    /* NULL-terminated, in registry order */
     const Info *const *methods;     /* NULL-terminated, in registry order */
     const Info *const *integrators; /* NULL-terminated, the same in every dimension */
+    const Param *const *settings;   /* of every run, whatever its problem and method */
 
     /* Checks spec and fills every default, so that `spec` reproduces the run by itself. 0 or a
      * fault (code 2: unknown name or parameter, value out of range, refused pair). */
