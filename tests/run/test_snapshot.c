@@ -89,7 +89,7 @@ static void test_files(void)
     CU_ASSERT_EQUAL(count_in("snap/particles.pvd", "<DataSet"), 4);
     CU_ASSERT_EQUAL(count_in("snap/nodes.pvd", "<DataSet"), 4);
     CU_ASSERT_EQUAL(count_in("snap/cells.pvd", "<DataSet"), 4);
-    CU_ASSERT_EQUAL(count_in("snap/particles_000020.vtp", "Name=\"u\""), 1);
+    CU_ASSERT_EQUAL(count_in("snap/particles_000020.vtp", "Name=\"displacement\""), 1);
     CU_ASSERT_EQUAL(count_in("snap/particles_000020.vtp", "</VTKFile>"), 1);
     CU_ASSERT_EQUAL(count_in("snap/particles_000020.vtp", "Name=\"von_mises\""), 1);
     CU_ASSERT_EQUAL(count_in("snap/cells_000007.vtp", "Name=\"cut\""), 1);
