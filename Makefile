@@ -103,7 +103,7 @@ CORE_DIMS   = 1 2 3
 CORE_3      = core/main_3d fixture $(TEXTBOOK) $(patsubst %,core/test_%,textbook material exact domains_and_strain) \
               methods/test_shapes problems/test_mass
 CORE_1      = $(filter-out core/main_3d,$(CORE_3)) core/main_dim methods/test_methods methods/test_wls_hand \
-              run/test_status run/test_measures run/test_ledger \
+              methods/test_wls_symbols methods/test_wls_cut problems/test_column run/test_status run/test_measures run/test_ledger \
               $(patsubst %,core/test_%,moment_pass invariants hard on_nodes sort_and_walls dynamics published_errors rules)
 CORE_2      = $(CORE_1)
 TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_filter textbook_make)

@@ -1,15 +1,19 @@
 /* ge_wls.c: gradient-enhanced WLS: the velocity gradient of W07 as a second equation of W11's least
- * squares, accelerations corrected towards the consistent mass matrix (wls/inertia.c), cut cells
- * with a curved side (polygon.c), and v, a and L returned through the spline W. */
+ * squares (with its weight 1000 a node's slope is the mean gradient of its particles),
+ * accelerations and velocities corrected by the consistent mass matrix (wls/inertia.c,
+ * wls/velocity.c), cut cells with a curved side (polygon.c), and v, a and L returned through the
+ * spline W. */
 #include "methods/wls/params.h"
 
-static const Param params[] = WLS_PARAMS(QUADRATURE_EXACT, DISTANCE_CURVED, SPURIOUS_EXTRAPOLATE,
-                                         RETURN_SPLINE, MASS_CORRECTED, 2, 0.25);
+static const Param params[] =
+    WLS_PARAMS(QUADRATURE_EXACT, DISTANCE_CURVED, SPURIOUS_EXTRAPOLATE, RETURN_SPLINE,
+               AVERAGE_FOLDED, MASS_CORRECTED, VELOCITY_CORRECTED, MOTION_CONSISTENT, 1000, 0.25);
 
 const Method method_ge_wls = {
     .info = {.name = "ge_wls",
              .label = "GE-WLS",
-             .about = "WLS2 with gradients in the fit, corrected mass and curved cut cells",
+             .about =
+                 "WLS2 with gradients in the fit, corrected mass and velocity, curved cut cells",
              .source = "W07 section 4 in W11's least squares",
              .params = params},
     .linear_exact = true,

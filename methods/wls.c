@@ -2,8 +2,9 @@
  * that runs (its tail of first order included). */
 #include "methods/wls/params.h"
 
-static const Param params[] = WLS_PARAMS(QUADRATURE_CENTROID, DISTANCE_WEIGHTED_MEAN,
-                                         SPURIOUS_CONSTANT, RETURN_LINEAR, MASS_LUMPED, 0, 0.12);
+static const Param params[] =
+    WLS_PARAMS(QUADRATURE_CENTROID, DISTANCE_WEIGHTED_MEAN, SPURIOUS_CONSTANT, RETURN_LINEAR,
+               AVERAGE_WEIGHTED, MASS_LUMPED, VELOCITY_PLAIN, MOTION_LAGGED, 0, 0.12);
 
 const Method method_wls = {
     .info = {.name = "wls",

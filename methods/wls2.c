@@ -2,8 +2,9 @@
  * quadrature of cut cells, spurious velocities extrapolated, a higher trigger weight. */
 #include "methods/wls/params.h"
 
-static const Param params[] = WLS_PARAMS(QUADRATURE_EXACT, DISTANCE_NORMALS, SPURIOUS_EXTRAPOLATE,
-                                         RETURN_LINEAR, MASS_LUMPED, 0, 0.25);
+static const Param params[] =
+    WLS_PARAMS(QUADRATURE_EXACT, DISTANCE_NORMALS, SPURIOUS_EXTRAPOLATE, RETURN_LINEAR,
+               AVERAGE_WEIGHTED, MASS_LUMPED, VELOCITY_PLAIN, MOTION_LAGGED, 0, 0.25);
 
 const Method method_wls2 = {
     .info = {.name = "wls2",

@@ -131,7 +131,8 @@ static void add_node(const Sim *sim, size_t at, double dt, bool solved, Grains *
         if (sound) out->gain[a] += p, out->size += fabs(p);
         if (!sound && !solved) out->lost += dt * fabs(g->node[at][FLUX + a]);
         if (!sound && !solved && g->force) out->lost += dt * fabs(g->force[at * DIM + (size_t)a]);
-        if (!sound && solved && w->corrected) out->lost += dt * fabs(w->inertia[at][I_MA + a]);
+        if (!sound && solved && w->corrected)
+            out->lost += dt * fabs(w->inertia[at].product[I_A + a]);
         if (!sound && solved && g->nstop) out->lost += fabs(p); /* walls stop it by itself */
     }
 }
@@ -191,20 +192,22 @@ static void test_wls_grid_ledger(void)
     CU_ASSERT(strict >= 150);
 }
 
-/* What the repair of spurious nodes and the return to the particles add (methods/wls.h), largest
- * over a run, relative to the largest sum m |v|: bounds a third above what is measured. The mass
- * correction adds no more than twice what lumped mass does here, but not at every mesh: disk_impact
- * 2.9 times at 16 cells, 3.7 times at 48; bar 2.1 times at 20. */
+/* What the repair of spurious nodes and the return to the particles add (methods/wls/wls.h),
+ * largest over a run, relative to the largest sum m |v|: bounds a third above what is measured. The
+ * mass correction may add no more than twice what lumped mass does. bar has the largest ratio, 1.78
+ * at 40 cells (.82 at 20, .97 at 80): its front is sharper, and between steps 600 and 820, when the
+ * tip returns to the node at x = 1, m_i of that node differs most from the mass that particles give
+ * it. */
 static const struct {
     Case scene;
     double wls2, lumped, corrected;
 } drifts[] = {
-    {{1, "sine_bar", 16, 2, 0, NULL}, 2.1e-4, 1.7e-3, 1.7e-3},
-    {{1, "bar", 40, 2, 0, NULL}, 1e-2, 2.5e-3, 2.8e-3},
+    {{1, "sine_bar", 16, 2, 0, NULL}, 2.1e-4, 1.6e-3, 1.6e-3},
+    {{1, "bar", 40, 2, 0, NULL}, 1e-2, 2.5e-3, 4.4e-3},
     {{2, "axis_mms", 8, 4, 0, NULL}, 1.5e-2, 1.3e-2, 1.3e-2},
-    {{2, "ring", 8, 4, 0, NULL}, 3.5e-3, 2.8e-3, 4.4e-3},
-    {{2, "disk_impact", 12, 4, 0, NULL}, 2e-2, 2.8e-2, 3.9e-2},
-    {{2, "free_block", 12, 4, 0, NULL}, 1e-3, 1.2e-3, 1.5e-3},
+    {{2, "ring", 8, 4, 0, NULL}, 3.5e-3, 1.7e-3, 7.9e-4},
+    {{2, "disk_impact", 12, 4, 0, NULL}, 2e-2, 2.8e-2, 3e-2},
+    {{2, "free_block", 12, 4, 0, NULL}, 1e-3, 1.45e-3, 9.6e-4},
 };
 
 static void test_wls_momentum(void)
