@@ -5,7 +5,7 @@
 #include <string.h>
 #include "studies/tables/grades.h"
 #include "parts.h"
-#include "studies/runs/run_args.h"
+#include "studies/runs/engines.h"
 
 typedef struct Sheet {
     const Study *study;
@@ -41,9 +41,10 @@ static void sheets_free(Sheets *s)
     table_free(s->pairs);
 }
 
-static bool is(const Table *t, int row, const char *column, const char *value)
+/* The next row of a method in a table, which may be NULL; -1: none. */
+static int next_of(const Table *t, int row, const char *method)
 {
-    return strcmp(table_text(t, row, column), value) == 0;
+    return t ? select_next(t, row, "method=%s", method) : -1;
 }
 
 static Mark mark_read(const char *word)
@@ -59,19 +60,19 @@ static void safe_steps(FILE *f, const Table *t, const char *method)
     int found = 0;
     for (int dim = 1; dim <= 3; dim++) {
         int here = 0;
-        for (int row = 0; t && row < t->nrow; row++) {
-            if (!is(t, row, "method", method) || table_number(t, row, "dim") != dim) continue;
+        for (int row = -1; (row = next_of(t, row, method)) >= 0;) {
+            if (select_number(t, row, "dim") != dim) continue;
             if (here == 0)
                 fprintf(f, "%s<span class=\"soft\">%dD</span> ", found ? "<br>" : "", dim);
-            page_element(f, here ? ", " : "", table_text(t, row, "integrator"), " ");
-            fprintf(f, "%.2g", table_number(t, row, "safe_cfl"));
+            page_element(f, here ? ", " : "", select_text(t, row, "integrator"), " ");
+            fprintf(f, "%.2g", select_number(t, row, "safe_cfl"));
             here++, found++;
         }
     }
     if (!found) fputs("&ndash;", f);
-    for (int row = 0; t && row < t->nrow; row++)
-        if (is(t, row, "method", method) && table_text(t, row, "first_failure")[0]) {
-            page_element(f, "<br><span class=\"soft\">then ", table_text(t, row, "first_failure"),
+    for (int row = -1; (row = next_of(t, row, method)) >= 0;)
+        if (select_text(t, row, "first_failure")[0]) {
+            page_element(f, "<br><span class=\"soft\">then ", select_text(t, row, "first_failure"),
                          "</span>");
             break;
         }
@@ -81,12 +82,11 @@ static void marks(FILE *f, const Sheets *s, const char *method)
 {
     static const char *const signs[MARKS] = {"&#10003;", "~", "&times;"};
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        for (int row = 0; one->grades && row < one->grades->nrow; row++) {
-            if (!is(one->grades, row, "method", method)) continue;
-            const Mark m = mark_read(table_text(one->grades, row, "grade"));
+        for (int row = -1; (row = next_of(one->grades, row, method)) >= 0;) {
+            const Mark m = mark_read(select_text(one->grades, row, "grade"));
             fprintf(f, "<a class=\"m %s\" href=\"#%s\"", grade_mark_names[m], one->study->name);
-            page_element(f, " title=\"", table_text(one->grades, row, "note"), "\">");
-            page_element(f, "", table_text(one->grades, row, "case"), " ");
+            page_element(f, " title=\"", select_text(one->grades, row, "note"), "\">");
+            page_element(f, "", select_text(one->grades, row, "case"), " ");
             fprintf(f, "%s</a>", signs[m]);
         }
 }
@@ -98,9 +98,9 @@ static void first_break(FILE *f, const Sheets *s, const char *method)
     int at = 0;
     Mark worst = MARK_OK;
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        for (int row = 0; one->grades && row < one->grades->nrow; row++) {
-            const Mark m = mark_read(table_text(one->grades, row, "grade"));
-            if (!is(one->grades, row, "method", method) || m <= worst) continue;
+        for (int row = -1; (row = next_of(one->grades, row, method)) >= 0;) {
+            const Mark m = mark_read(select_text(one->grades, row, "grade"));
+            if (m <= worst) continue;
             worst = m;
             found = one;
             at = row;
@@ -109,17 +109,16 @@ static void first_break(FILE *f, const Sheets *s, const char *method)
         fputs("nothing tried here", f);
         return;
     }
-    page_element(f, "<b>", table_text(found->grades, at, "case"), "</b>");
+    page_element(f, "<b>", select_text(found->grades, at, "case"), "</b>");
     fputs(worst == MARK_WEAK ? " (weak): " : ": ", f);
-    page_text(f, table_text(found->grades, at, "note"));
+    page_text(f, select_text(found->grades, at, "note"));
 }
 
 /* How a pair of T-5 went: 0 best, 3 lost; -1: not tried. */
 static int pair_grade(const Table *t, const char *method, const char *integrator)
 {
-    for (int row = 0; t && row < t->nrow; row++)
-        if (is(t, row, "method", method) && is(t, row, "integrator", integrator))
-            return (int)table_number(t, row, "grade");
+    for (int row = -1; (row = next_of(t, row, method)) >= 0;)
+        if (select_is(t, row, "integrator", integrator)) return (int)select_number(t, row, "grade");
     return -1;
 }
 
@@ -136,16 +135,15 @@ static void helps(FILE *f, const Sheets *s, const char *method)
 {
     int n = fresh_gradients(f, s->pairs, method);
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        for (int row = 0; one->remedies && row < one->remedies->nrow; row++) {
+        for (int row = -1; (row = next_of(one->remedies, row, method)) >= 0;) {
             const Table *t = one->remedies;
-            if (!is(t, row, "method", method)) continue;
-            if (mark_read(table_text(t, row, "after")) >= mark_read(table_text(t, row, "before")))
+            if (mark_read(select_text(t, row, "after")) >= mark_read(select_text(t, row, "before")))
                 continue;
-            page_element(f, n++ ? "<br><code>" : "<code>", table_text(t, row, "remedy"),
+            page_element(f, n++ ? "<br><code>" : "<code>", select_text(t, row, "remedy"),
                          "</code> ");
-            page_element(f, "<span class=\"soft\">", table_text(t, row, "case"), ": ");
-            page_element(f, "", table_text(t, row, "before"), " &rarr; ");
-            page_element(f, "", table_text(t, row, "after"), "</span>");
+            page_element(f, "<span class=\"soft\">", select_text(t, row, "case"), ": ");
+            page_element(f, "", select_text(t, row, "before"), " &rarr; ");
+            page_element(f, "", select_text(t, row, "after"), "</span>");
         }
     if (n == 0) fputs("&ndash;", f);
 }
@@ -153,8 +151,7 @@ static void helps(FILE *f, const Sheets *s, const char *method)
 static bool is_graded(const Sheets *s, const char *method)
 {
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        for (int row = 0; one->grades && row < one->grades->nrow; row++)
-            if (is(one->grades, row, "method", method)) return true;
+        if (next_of(one->grades, -1, method) >= 0) return true;
     return false;
 }
 

@@ -72,7 +72,8 @@ static void check(Check *c, const Results *r)
         spurious += is > 0;
         if (R >= 0.625 && R <= 1.1) measure_add(&inner, is);
     }
-    claim(c, "W11-3.outside", "no node inside the ring is spurious: how many are", inner, 0, 0);
+    claim(c, "W11-3.outside", "WLS: no node inside the ring is spurious: how many are", inner, 0,
+          0);
     claim_note(c, "trigger", trigger);
     claim_note(c, "spurious", spurious);
 }

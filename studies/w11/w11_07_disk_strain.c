@@ -57,12 +57,15 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-7.flight", "WLS2: strain energy at t = 0 over that at t = 3",
           measure_ratio(start.energy, last.energy), 0, 1e-12);
     claim(c, "W11-7.vibration",
-          "at t = 2, between two impacts, little of it is left: strain energy over that at t = 3",
+          "WLS2: at t = 2, between two impacts, little strain energy is left: that over the one at "
+          "t = 3",
           measure_ratio(later.energy, last.energy), 0, 0.2);
-    claim(c, "W11-7.second-impact",
-          "fig. 7c is the second impact: at t = 3 the disk is at the right wall, largest x [m]",
-          last.right, 0.98, 1.001);
-    claim(c, "W11-7.turning", "and is being thrown back: mean vx at t = 3 over that at the start",
+    claim(
+        c, "W11-7.second-impact",
+        "WLS2: fig. 7c is the second impact: at t = 3 the disk is at the right wall: largest x [m]",
+        last.right, 0.98, 1.001);
+    claim(c, "W11-7.turning",
+          "WLS2: at t = 3 the right wall is throwing the disk back: mean vx over that at the start",
           measure_ratio(last.vx, start.vx), -1, 0.5);
 }
 
