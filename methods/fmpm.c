@@ -20,7 +20,7 @@ const Method method_fmpm = {
          .params = filter_params},
     .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},
-    .pic = true,
+    .pic = 1,
     .smooth = true,
     .width = gimp_width,
     .shape = gimp_shape,

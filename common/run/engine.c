@@ -165,6 +165,7 @@ const Engine ENGINE_NAME = {
     .problems = problem_infos,
     .methods = method_infos,
     .integrators = integrator_infos,
+    .settings = &settings_common,
     .resolve = resolve,
     .run = run_spec,
     .describe = describe,

@@ -17,6 +17,7 @@ typedef struct Engine {
     const Info *const *problems;    /* NULL-terminated, in registry order */
     const Info *const *methods;     /* NULL-terminated, in registry order */
     const Info *const *integrators; /* NULL-terminated, the same in every dimension */
+    const Param *const *settings;   /* of every run, whatever its problem and method */
 
     /* Checks spec and fills every default, so that `spec` reproduces the run by itself. 0 or a
      * fault (code 2: unknown name or parameter, value out of range, refused pair). */
@@ -35,11 +36,12 @@ typedef struct Engine {
     int (*weight)(const char *method, double x, double l, double *S, double *G);
 } Engine;
 
-extern const Engine engine_1d, engine_2d;
+extern const Engine engine_1d, engine_2d, engine_3d;
 extern const Engine *const engines[]; /* main's list, NULL-terminated */
 
 /* The engine for a run: knows the problem, and the dimension asked for with --set dim=N if it has
- * several (default: the highest). NULL and a fault (unknown problem, with the nearest name). */
+ * several (default: 2 if it has two dimensions, else the only one). NULL and a fault (unknown
+ * problem, with the nearest name). */
 const Engine *engine_for(const RunSpec *spec, Fault *fault);
 
 #endif

@@ -33,7 +33,7 @@ void measure_state(Loop *l, Moment *m)
     m->volume = v.sum;
     m->least_J = v.least;
     m->most_J = v.most;
-    m->angular = ledger_angular_momentum(&p);
+    ledger_angular_momentum(&p, m->angular);
 }
 
 /* The larger number; NAN, which stands for nothing measured so far, is less than any. */

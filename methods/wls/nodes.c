@@ -122,7 +122,7 @@ static void repair_node(Sim *sim, size_t at, int row, const int index[DIM], doub
     if (repaired) {
         /* a stopping wall bears the integrated force, unless that went to the neighbours; a node
          * without mass gives none away */
-        const unsigned stops = w->folded && !light ? 0 : grid_stops(&sim->g, row, index[0], dt);
+        const unsigned stops = w->folded && !light ? 0 : sim_stops(&sim->g, row, index[0], dt);
         wls_book_change(sim, row, at, dt, before, wls_held(&sim->g, row, index[0]) | stops);
     }
 }

@@ -1,7 +1,7 @@
 /* list_command.c: `list` and `describe`: what there is, and what each takes. */
 #include <string.h>
 #include "cli.h"
-#include "studies/runs/run_args.h"
+#include "studies/runs/engines.h"
 
 static int take_word(void *into, const char *name, const char *value, Fault *fault)
 {

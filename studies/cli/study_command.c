@@ -10,10 +10,11 @@
 #include <unistd.h>
 #include "studies/engine/claims.h"
 #include "cli.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/scoreboard/page.h"
 #include "studies/engine/plot.h"
-#include "studies/runs/run_args.h"
+#include "studies/runs/engines.h"
+#include "studies/runs/options.h"
 #include "studies/engine/run_study.h"
 
 typedef struct StudyArgs {

@@ -117,7 +117,7 @@ run run squeeze --help --nonsense
 ok "help beats a wrong option" test "$status" -eq 0
 run --version
 ok "version" test "$status" -eq 0 -a "$(lines out)" -eq 6
-ok "version knows its dimensions and OpenMP" grep -qE '^dimensions 1 2|^OpenMP ([0-9]+|none)$' out
+ok "version knows its dimensions and OpenMP" grep -qE '^dimensions 1 2 3|^OpenMP ([0-9]+|none)$' out
 ok "version prints the sums of its sources" grep -qE "^sources [0-9]+ \\(runs\\), [0-9]+ \\(studies\\)$" out
 run --man
 ok "a manual page" grep -q '^\.TH' out
