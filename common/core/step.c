@@ -1,4 +1,4 @@
-/* step.c: see step.h. PHYSICS of the integrators: W11 4.6-4.7 (cd), Wallstedt & Guilkey 2008 (uvf),
+/* step.c: see step.h. The integrators: W11 4.6-4.7 (cd), Wallstedt & Guilkey 2008 (uvf),
  * Sulsky et al. 1995 (musl), Bardenhagen 2002 (usl, usf).
  *
  * An integrator is a list of passes; each deposits (with forces or without), solves on the grid and
@@ -30,9 +30,14 @@ static const struct {
 const char *const step_integrator_names[INTEGRATORS + 1] = {"cd",  "uvf", "musl",
                                                             "usl", "usf", NULL};
 
-bool integrator_half_first(Integrator i)
+bool step_half_first(Integrator i)
 {
     return integrators[i].half_first;
+}
+
+bool step_strain_first(Integrator i)
+{
+    return !integrators[i].pass[0].force && integrators[i].pass[0].take & TAKE_F;
 }
 
 Status sim_check(const Sim *sim)
