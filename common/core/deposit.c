@@ -120,7 +120,7 @@ static void deposit_slopes(Sim *sim, int k, Work *w)
     const int width = make_stencils(sim, &c, w);
     if (!w->on_node) return;
     make_payload(sim, &c, true, width, w);
-    deposit_on_nodes(sim, w);
+    on_node_deposit(sim, w);
 }
 
 typedef enum { ALL, ON_NODES } Which;
@@ -158,6 +158,6 @@ void deposit_all(Sim *sim, double t, Deposit what)
         return;
     }
     if (!deposit_blocks(sim, t, what, ALL) || what == ROUND) return;
-    mark_body(sim);
+    on_node_mark_body(sim);
     if (what == FORCES) deposit_blocks(sim, t, what, ON_NODES);
 }

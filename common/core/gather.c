@@ -71,7 +71,7 @@ static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Ext
     const Chunk c = sim_chunk(sim, k);
     const int width = make_stencils(sim, &c, w);
     gather_line(&sim->g, w, width, T_G);
-    if (w->on_node && sim->g.body) gather_on_nodes(sim, w);
+    if (w->on_node && sim->g.body) on_node_gather(sim, w);
     unpack_sums(w, 0, sim->g.cells);
     if (method->moments) gather_moments(sim, w, width);
     const bool own_strain = take & TAKE_F && sim->setup->strain != STRAIN_LINEAR;

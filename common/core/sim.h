@@ -113,7 +113,7 @@ bool sim_is_valid(const Sim *sim);
 void sim_sort(Sim *sim);
 
 /* G = 0 for particles on nodes, whose slope is not the tent's; returns true; on_node.c. */
-bool clear_slopes_on_nodes(Stencil *stencil);
+bool on_node_clear_slopes(Stencil *stencil);
 
 /* What particles receive from a node of mass m in one pass: momentum m (a_share a + v_share v). */
 typedef struct Given {

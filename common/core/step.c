@@ -1,4 +1,4 @@
-/* step.c: see step.h. PHYSICS of the integrators: W11 4.6-4.7 (cd), Wallstedt & Guilkey 2008 (uvf),
+/* step.c: see step.h. The integrators: W11 4.6-4.7 (cd), Wallstedt & Guilkey 2008 (uvf),
  * Sulsky et al. 1995 (musl), Bardenhagen 2002 (usl, usf).
  *
  * An integrator is a list of passes; each deposits (with forces or without), solves on the grid and
@@ -55,9 +55,14 @@ const Info step_integrators[INTEGRATORS] = {
              .formula = "F += dt L F with the projected v, then v += dt a, x += dt S v"},
 };
 
-bool integrator_half_first(Integrator i)
+bool step_half_first(Integrator i)
 {
     return integrators[i].half_first;
+}
+
+bool step_strain_first(Integrator i)
+{
+    return !integrators[i].pass[0].force && integrators[i].pass[0].take & TAKE_F;
 }
 
 Status sim_check(const Sim *sim)

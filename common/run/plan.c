@@ -1,4 +1,4 @@
-/* plan.c: see plan.h. The rules of CONTRACT.md's parameter section. */
+/* plan.c: see plan.h. Defaults, and what is refused. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -203,7 +203,7 @@ static int choose_times(RunSpec *spec, Plan *plan, Fault *fault)
                      spec->cfl, spec->t_end, steps);
 }
 
-int no_exact_motion(const RunSpec *spec, Fault *fault)
+int plan_no_exact_motion(const RunSpec *spec, Fault *fault)
 {
     return fault_set(fault, FAULT_USAGE,
                      "--errors: got '%s', takes a scene in motion with an exact solution",
@@ -219,8 +219,12 @@ static int check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
     if (plan->scene.problem->projection && !solver->project)
         return fault_set(fault, FAULT_USAGE,
                          "--method: got '%s', which projects nothing onto a grid", name);
+    if (spec->history && plan->scene.problem->projection)
+        return fault_set(fault, FAULT_USAGE,
+                         "--history: got '%s', takes a scene in motion, and %s has no time steps",
+                         spec->history, spec->problem);
     if (spec->errors && (!plan->scene.problem->exact || plan->scene.problem->projection))
-        return no_exact_motion(spec, fault);
+        return plan_no_exact_motion(spec, fault);
     if (spec->nodes && !solver->nodes)
         return fault_set(fault, FAULT_USAGE,
                          "--nodes: got '%s', takes a method with a grid, not %s", spec->nodes,

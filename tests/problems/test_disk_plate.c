@@ -204,6 +204,7 @@ static Row run_row(const char *problem, const char *method, double t_end, RunSpe
     Fault fault = {0};
     strcpy(spec.problem, problem);
     strcpy(spec.method, method);
+    check_context(DIM, problem, method, NULL, NULL);
     spec.t_end = t_end;
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     return row;

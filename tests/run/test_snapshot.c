@@ -41,6 +41,7 @@ static Cover cover(const char *problem, const char *method, bool elements)
     Fault fault = {0};
     strcpy(spec.problem, problem);
     strcpy(spec.method, method);
+    check_context(DIM, problem, method, NULL, NULL);
     CU_ASSERT_FATAL(plan_make(&spec, &plan, &fault) == 0);
     void *self = plan.solver->make(&plan.setup, &fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(self);
