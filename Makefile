@@ -103,8 +103,9 @@ FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/fuzz/%.o,fuzz_run fuzz_sweep fuzz_fil
 CORE_DIMS   = 1 2 3
 CORE        = fixture $(TEXTBOOK) $(patsubst %,core/test_%,textbook material exact domains_and_strain) \
               methods/test_shapes methods/test_methods problems/test_mass run/test_status run/test_measures run/test_ledger \
-              $(patsubst %,core/test_%,moment_pass invariants hard on_nodes sort_and_walls dynamics rules)
-CORE_1      = core/main_dim $(CORE) methods/test_wls_hand core/test_published_errors
+              $(patsubst %,core/test_%,sort_and_walls dynamics)
+CORE_1      = core/main_dim $(CORE) methods/test_wls_hand \
+              $(patsubst %,core/test_%,moment_pass invariants hard on_nodes rules published_errors)
 CORE_2      = $(CORE_1)
 CORE_3      = core/main_3d $(CORE) problems/test_shell fem_ref/test_tetrahedra
 TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_filter textbook_make)
