@@ -108,9 +108,9 @@ FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/fuzz/%.o,fuzz_run fuzz_sweep fuzz_fil
 CORE_DIMS   = 1 2 3
 CORE        = fixture $(TEXTBOOK) $(patsubst %,core/test_%,textbook material exact domains_and_strain) \
               methods/test_shapes methods/test_methods problems/test_mass run/test_status run/test_measures run/test_ledger \
-              $(patsubst %,core/test_%,moment_pass invariants hard on_nodes sort_and_walls dynamics rules)
-CORE_1      = core/main_dim $(CORE) $(patsubst %,methods/test_wls_%,hand symbols cut) core/test_published_errors \
-              problems/test_column
+              $(patsubst %,core/test_%,sort_and_walls dynamics)
+CORE_1      = core/main_dim $(CORE) $(patsubst %,methods/test_wls_%,hand symbols cut) problems/test_column \
+              $(patsubst %,core/test_%,moment_pass invariants hard on_nodes rules published_errors)
 CORE_2      = $(CORE_1)
 CORE_3      = core/main_3d $(CORE) problems/test_shell fem_ref/test_tetrahedra
 TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_filter textbook_make)
