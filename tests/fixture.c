@@ -45,7 +45,7 @@ void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator 
                int cells, double ppc)
 {
     char why[128];
-    check_context(DIM, problem->info.name, method->info.name, step_integrator_names[integrator],
+    check_context(DIM, problem->info.name, method->info.name, step_integrators[integrator].name,
                   NULL);
     *r = (Rig){.plan = {.scene = {.problem = problem, .cell = 1.0 / cells}}};
     Plan *plan = &r->plan;
