@@ -45,7 +45,7 @@ static int edit_distance(const char *a, const char *b)
 {
     int row[LONGEST_NAME + 1], nb = (int)strnlen(b, LONGEST_NAME);
     for (int j = 0; j <= nb; j++) row[j] = j;
-    for (int i = 0; i < 2 * LONGEST_NAME && a[i]; i++) { /* nobody means a name by more */
+    for (int i = 0; i < 2 * LONGEST_NAME && a[i]; i++) { /* a longer word is no misspelt name */
         int diagonal = row[0];
         row[0] = i + 1;
         for (int j = 0; j < nb; j++) {
