@@ -1,7 +1,7 @@
 /* test_disk_plate.c: the scenes disk_impact and hole_plate: their points, walls and body force as
  * data, walls that hold and walls that let go, and the numbers of PHYSICS 9 and 10. */
 #include <string.h>
-#include "common/run/norm.h"
+#include "common/run/ledger.h"
 #include "common/contract/layout.h"
 #include "common/run/plan.h"
 #include "common/core/step.h"
