@@ -34,7 +34,8 @@ void on_node_deposit(Sim *sim, const struct Work *w);
 void on_node_gather(const Sim *sim, struct Work *w);
 
 /* The method's filter of the grid velocity, after the nodes' equations; filter_open comes between
- * deposit and equations. takes_v: what walls take meanwhile is booked; filter.c. */
+ * deposit and equations. takes_v: this pass updates particle velocities, so momentum that
+ * walls absorb during filter rounds is added to sim->impulse; filter.c. */
 void filter_open(Sim *sim);
 void filter_all(Sim *sim, double dt, bool takes_v);
 

@@ -90,7 +90,7 @@ Status sim_check(const Sim *sim)
     return worst;
 }
 
-/* No node has mass under any particle: the lowest id stands for all. */
+/* The status if no node has mass; it names the particle of lowest id. */
 static Status without_support(const Sim *sim)
 {
     int first = INT_MAX;
@@ -99,10 +99,11 @@ static Status without_support(const Sim *sim)
     return (Status){SINGULAR, first, 0};
 }
 
-/* Stencils stay within the live spans while nobody drifted a cell or outgrew the planned width. */
+/* Sorts before any particle has drifted a cell or outgrown the planned width, so that stencils stay
+ * within the live spans. */
 static void sort_if_due(Sim *sim)
 {
-    if (isinf(sim->travel)) sim->status = sim_check(sim); /* the start is the scene's */
+    if (isinf(sim->travel)) sim->status = sim_check(sim); /* first step: check the initial state */
     if (sim->status.code == OK && (sim->travel > 1 || sim->half_now > sim->half_plan))
         sim_sort(sim);
 }

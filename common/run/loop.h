@@ -48,7 +48,7 @@ typedef struct Loop {
     Moment last; /* what is known of the last instant */
 } Loop;
 
-/* Takes down where the points are, and frees that; false: out of memory. loop.c. */
+/* Stores the positions of all points for loop_record_work; frees them. false: out of memory. */
 bool loop_open(Loop *l);
 void loop_close(Loop *l);
 
@@ -65,11 +65,10 @@ void loop_record_momentum(Loop *l, const Side *after);
 void loop_record_work(Loop *l, double t); /* of the step from t that has just been finished */
 void loop_record_errors(Loop *l, Errors e);
 
-/* Has any point another position than after the last finished step? A step that fails may have
- * moved the points, or not. */
+/* True if any point has moved since the last finished step. (A failed step may have moved some.) */
 bool loop_has_moved(const Loop *l);
 
-/* What was asked for; and what became of it. */
+/* Fill the row: the run's inputs, its numbers of particles and nodes, its results. */
 void report_inputs(const RunSpec *spec, const Plan *plan, Row *row);
 void report_counts(const Loop *l, Row *row);
 void report_results(const Loop *l, Row *row);

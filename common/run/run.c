@@ -46,7 +46,7 @@ static bool grown(const Loop *l)
     return l->plan->stop_growth && l->growth_step >= 0;
 }
 
-/* Instants 0 .. n; instant k needs step k to know its kinetic energy. */
+/* Instants 0 .. n. The kinetic energy of instant k is known after step k. */
 static void run_steps(Loop *l)
 {
     Side before = loop_measure_side(l);
@@ -83,7 +83,7 @@ static void run_steps(Loop *l)
     l->last = m;
 }
 
-/* The instant after the last step, by a step beyond it. */
+/* Records the instant after the last step, for which one more step is taken. */
 static void last_instant(Loop *l)
 {
     Moment m = l->last;
@@ -123,7 +123,7 @@ static int project(Loop *l, Fault *fault)
     return 0;
 }
 
-/* Steps that the positions have made: a failed one counts if it moved them. */
+/* Number of steps that moved the particles: a failed step counts if it did. */
 static long steps_moved(const Loop *l)
 {
     return l->done + (l->status.code != OK && loop_has_moved(l));
@@ -138,7 +138,7 @@ static int write_errors_now(const char *path, Loop *l, Fault *fault)
     return output_errors(path, &l->plan->scene, &p, t, &l->scratch, fault);
 }
 
-/* The files of the run's end; nodes hold the velocities of the last projection. */
+/* Writes the files of the end of the run; nodes have the velocities of the last projection. */
 static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
 {
     const Solver *solver = l->plan->solver;
@@ -153,7 +153,7 @@ static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
     return code;
 }
 
-/* Room for every slot that particles may come to need. */
+/* Allocates room for the largest number of slots that particles may need. */
 static bool fit_scratch(Loop *l)
 {
     Points p;

@@ -2,7 +2,6 @@
  * data, walls that hold and walls that let go, and the numbers of PHYSICS 9 and 10. */
 #include <string.h>
 #include "common/run/ledger.h"
-#include "common/run/norm.h"
 #include "common/contract/layout.h"
 #include "common/run/plan.h"
 #include "common/core/step.h"
