@@ -231,7 +231,8 @@ static void check(Check *c, const Results *r)
         "keep least");
     claim(c, "H-4.beam-gimp", "GIMP locks: its displacement at nu = .499 over the reference's",
           value(t, BEAM, "gimp", "0.499", "ratio"), 0, 0.95);
-    claim(c, "H-4.beam-gimp-pressure", "and its checkerboard: times that at nu = .3",
+    claim(c, "H-4.beam-gimp-pressure",
+          "GIMP's pressure checkerboard on the cantilever: times that at nu = .3",
           measure_ratio(value(t, BEAM, "gimp", "0.499", "checkerboard"),
                         value(t, BEAM, "gimp", "0.3", "checkerboard")),
           10, INFINITY);

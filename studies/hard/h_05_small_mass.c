@@ -206,9 +206,10 @@ static void check(Check *check, const Results *r)
           off_root(omega, "two_over_omega", 1, "mpm", 2), 0, 0.1);
     claim_differs(check, "H5.tent", "the critical step of tents is that, too",
                   off_root(points, "critical", 1, "mpm", 2), 0, 0.1, 0.25, 0.35, forgets);
-    claim(check, "H5.tent-sqrt2", "it is sqrt(2 eps/h) h/c: largest deviation",
+    claim(check, "H5.tent-sqrt2", "critical step of tents: sqrt(2 eps/h) h/c, largest deviation",
           off_root(points, "critical", 1, "mpm", M_SQRT2), 0, 0.1);
-    claim(check, "H5.tent-plane", "and nearly so in 2D, of P waves (own measurement)",
+    claim(check, "H5.tent-plane",
+          "critical step of tents in 2D: sqrt(2 eps/h) h/c of P waves, largest deviation",
           off_root(points, "critical", 2, "mpm", M_SQRT2), 0, 0.1);
     claim(check, "H5.ge-tent",
           "with gradient enhancement, which hands the node its velocity back, it is 2 "
@@ -216,11 +217,12 @@ static void check(Check *check, const Results *r)
           off_root(points, "critical", 1, "ge_mpm", 2), 0, 0.1);
     claim(check, "H5.gimp-omega", "GIMP's 2/omega_max has a floor",
           smallest(omega, "two_over_omega", "gimp"), 0.76, 0.84);
-    claim_differs(check, "H5.gimp", "and so its critical step [h/c]",
+    claim_differs(check, "H5.gimp", "GIMP's critical step has the floor of 2/omega_max [h/c]",
                   smallest(points, "critical", "gimp"), 0.76, 0.84, 0.56, 0.76, forgets);
     claim(check, "H5.bspline-omega", "B-splines' 2/omega_max has a higher one",
           smallest(omega, "two_over_omega", "bspline"), 0.9, 1);
-    claim_differs(check, "H5.bspline", "and so their critical step [h/c]",
+    claim_differs(check, "H5.bspline",
+                  "B-splines' critical step has the floor of 2/omega_max [h/c]",
                   smallest(points, "critical", "bspline"), 0.9, 1, 0.66, 0.9, forgets);
 }
 

@@ -126,7 +126,7 @@ static void check(Check *c, const Results *r)
           few_error(t, 0, "mpm", 0.5), USABLE, 10);
     claim(c, "H7.gimp", "GIMP, whose boxes reach beyond h/2, has none: error of the bar",
           few_error(t, 0, "gimp", 0.5), 0, USABLE);
-    claim(c, "H7.plane", "but half a particle per axis is too few for it in the plane: error there",
+    claim(c, "H7.plane", "GIMP in 2D with half a particle per axis has too few: error",
           few_error(t, 1, "gimp", 0.5), USABLE, 10);
     for (int m = 0; m < 2; m++)
         for (int k = 0; k < 2; k++) {
@@ -136,7 +136,8 @@ static void check(Check *c, const Results *r)
     claim(c, "H7.wls",
           "WLS needs three particles in a support: runs lost in the plane below one, of 4", lost, 4,
           4);
-    claim(c, "H7.wls-one", "and falls back with one (W11 eq 14): fallbacks of WLS in the plane",
+    claim(c, "H7.wls-one",
+          "WLS in 2D with one particle per axis falls back (W11 eq 14): number of fallbacks",
           select_value(t, "fallbacks", "case=H7 problem=axis_mms method=wls x=1"), 1, 1e6);
 }
 

@@ -96,7 +96,7 @@ static void check(Check *c, const Results *r)
                   1e-3, 0.1,
                   "spurious nodes take a mean of their neighbours' velocities, which is O(h) "
                   "wrong; WLS2 extrapolates");
-    claim(c, "H10.wls-order", "which falls with h: order of WLS's largest error, block",
+    claim(c, "H10.wls-order", "WLS at the block's edges: order of its largest error in h",
           order(t, "wls"), 0.5, 1.2);
 }
 

@@ -196,7 +196,7 @@ static void check_vortex(Check *c, const Table *e, const Table *grid)
     claim(c, "H-15.vortex-gimp", "full vortex: of GIMP and GE-GIMP with l = l0 F_xx are lost",
           lost(grid, "gimp ge_gimp", "fxx", FULL), 2, 2);
     claim_differs(c, "H-15.vortex-stretch",
-                  "and with half widths that follow the stretch U (convected domains) none",
+                  "GIMP with half widths that follow the stretch U loses none",
                   lost(grid, "gimp ge_gimp", "stretch", FULL), 0, 0, 1, 2,
                   "boxes as wide as U is long overlap under shear; what helps is to leave them "
                   "undeformed");
@@ -226,7 +226,7 @@ static void check_bar(Check *c, const Table *grid)
         c, "H-15.bar-stretch", "half widths that follow the stretch do not tear; lost",
         lost(grid, "gimp", "stretch", TURNS), 0, 0, 1, 1,
         "F at the clamp is wrong before boxes could bridge the gap: all rules tear there");
-    claim_differs(c, "H-15.bar-wls", "nor do WLS and WLS2; lost",
+    claim_differs(c, "H-15.bar-wls", "hanging bar: WLS and WLS2 runs lost",
                   lost(grid, "wls wls2", "fxx", TURNS), 0, 0, 1, 2,
                   "particles at the corners of the clamp invert before t = .06");
     claim(c, "H-15.bar-agrees",

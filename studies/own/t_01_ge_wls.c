@@ -247,7 +247,8 @@ static void check_scenes(Check *c, const Results *r)
     Measure rms = measure_sum_of(RIM), scatter = measure_sum_of(RIM);
     claim(c, "T-1b.disk", "disk: energy over E0 at t = 2.3", disk_energy(r, 2.3, false), 0.98,
           1.005);
-    claim(c, "T-1b.disk-late", "and at t = 4", disk_energy(r, late, false), 0.91, 1.005);
+    claim(c, "T-1b.disk-late", "disk: energy over E0 at t = 4", disk_energy(r, late, false), 0.91,
+          1.005);
     claim(c, "T-1b.disk-most", "its largest ever", disk_energy(r, late, true), 0.99, 1.005);
     Table *reference = results_file(r, "reference"), *plate = results_file(r, "plate.-1");
     hole_measure(reference, 256, plate, 32, &rms, &scatter);
@@ -255,7 +256,8 @@ static void check_scenes(Check *c, const Results *r)
     table_free(plate);
     claim(c, "T-1b.plate", "plate, h = 1/32: rms difference of stress from the reference [GPa]",
           rms, 0, 2.2);
-    claim(c, "T-1b.plate-scatter", "and scatter along the hole [GPa]", scatter, 0, 1.8);
+    claim(c, "T-1b.plate-scatter", "plate: scatter of the stress along the hole [GPa]", scatter, 0,
+          1.8);
 }
 
 static void check(Check *c, const Results *r)

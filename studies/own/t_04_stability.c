@@ -114,8 +114,9 @@ static void check_bar(Check *c, const Table *worst)
     static const char ge[] = "method=ge_gimp integrator=cd";
     claim(c, "T-4.tent", "tents with cd, 1D: largest stable CFL at A = 1e-4, worst PPC",
           bar(worst, "stable", tent, 1e-4), 0.7, 0.8);
-    claim(c, "T-4.tent-.01", "the same at A = .01", bar(worst, "stable", tent, 0.01), 0.7, 0.8);
-    claim(c, "T-4.tent-.05", "and at A = .05, where particles cross cells",
+    claim(c, "T-4.tent-.01", "MPM at A = .01: largest stable CFL", bar(worst, "stable", tent, 0.01),
+          0.7, 0.8);
+    claim(c, "T-4.tent-.05", "MPM at A = .05, where particles cross cells: largest stable CFL",
           bar(worst, "stable", tent, 0.05), 0.05, 0.1);
     claim(c, "T-4.gimp", "GIMP with cd: A = 1e-4", bar(worst, "stable", gimp, 1e-4), 0.7, 0.8);
     claim(c, "T-4.gimp-.01", "A = .01", bar(worst, "stable", gimp, 0.01), 0.8, 0.9);
@@ -124,7 +125,8 @@ static void check_bar(Check *c, const Table *worst)
     claim(c, "T-4.ge-gimp-.01", "A = .01", bar(worst, "stable", ge, 0.01), 1, 1.1);
     claim_differs(c, "T-4.ge-gimp-.05", "A = .05", bar(worst, "stable", ge, 0.05), 0.6, 0.7, 0.1,
                   0.6, "runs end well up to .6, but energy grows by more than 5 % long before");
-    claim(c, "T-4.ge-gimp-.05-kept", "and if energy may grow so long as the run is not lost",
+    claim(c, "T-4.ge-gimp-.05-kept",
+          "GE-GIMP at A = .05 if energy may grow: largest CFL that is not lost",
           bar(worst, "kept", ge, 0.05), 0.6, 0.7);
 }
 
@@ -135,7 +137,8 @@ static void check(Check *c, const Results *r)
     for (int k = 0; k < 2; k++) {
         const char *pair = k ? "method=gimp integrator=uvf" : "method=gimp integrator=musl";
         claim(c, k ? "T-4.uvf" : "T-4.musl",
-              k ? "and with uvf" : "GIMP with musl: A = 1e-4 and .01, the lower limit",
+              k ? "GIMP with uvf: A = 1e-4 and .01, the lower limit"
+                : "GIMP with musl: A = 1e-4 and .01, the lower limit",
               measure_min(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4,
               2);
     }

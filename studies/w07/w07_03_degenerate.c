@@ -54,8 +54,13 @@ static void check(Check *c, const Results *r)
         claim_note(c, arrangements[a], error(r->rows, 0, a).value);
     claim(c, "W07-3.centred", "MPM's error is zero for perfectly centred particles",
           error(r->rows, 0, 0), 0, 1e-14);
-    claim(c, "W07-3.mpm-others", "and is not zero in the other three: the least of them",
+    claim(c, "W07-3.mpm-others",
+          "MPM's error is not zero in three other arrangements: the least of them",
           least_of_others(r->rows, 0), 0.001, 1);
+    claim(c, "W07-3.sizes",
+          "particles of unequal mass report a linear field with an error: the lesser of MPM's and "
+          "GIMP's",
+          measure_min(error(r->rows, 0, 2), error(r->rows, 1, 2)), 0.003, 0.007);
     claim(c, "W07-3.gimp-others", "errors are not zero for GIMP either: the least of three",
           least_of_others(r->rows, 1), 0.001, 1);
     claim(c, "W07-3.ge-zero", "with gradient enhancement it is zero in all four, tents and GIMP",
@@ -68,5 +73,5 @@ const Study study_w07_03_degenerate = {
     .about = "a linear field projected from four degenerate arrangements of particles",
     .cases = cases,
     .check = check,
-    .claims = 4,
+    .claims = 5,
 };

@@ -62,7 +62,8 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-7.second-impact",
           "fig. 7c is the second impact: at t = 3 the disk is at the right wall, largest x [m]",
           last.right, 0.98, 1.001);
-    claim(c, "W11-7.turning", "and is being thrown back: mean vx at t = 3 over that at the start",
+    claim(c, "W11-7.turning",
+          "at t = 3 the disk is being thrown back: mean vx over that at the start",
           measure_ratio(last.vx, start.vx), -1, 0.5);
 }
 
