@@ -7,6 +7,7 @@
 #include "common/base/info.h"
 #include "studies/runs/must.h"
 #include "results.h"
+#include "studies/statements.h"
 #include "sidecar.h"
 
 const char *claim_verdict_name(Verdict v)
@@ -141,20 +142,30 @@ static void number_cell(FILE *f, double x)
     fprintf(f, "%s,", text);
 }
 
-/* Whose statement it is: of which paper, our own, or about a hard case. */
-static const char *group_of(const Claim *c)
+const char *claim_group(const Claim *c)
 {
-    static const char *const groups[][2] = {{"W07-", "W07"}, {"W11-", "W11"}, {"H", "hard"}};
-    for (size_t k = 0; k < sizeof groups / sizeof *groups; k++)
-        if (strncmp(c->id, groups[k][0], strlen(groups[k][0])) == 0) return groups[k][1];
-    return "own";
+    const Statement *s = statement_of_claim(c->id);
+    const char *page = c->study->figure;
+    if (*page == 'H') return "hard";
+    const bool on_page = s && strncmp(page, s->paper, strlen(s->paper)) == 0;
+    return on_page && statement_is_published(s) ? s->paper : "own";
+}
+
+/* Where the paper says what the claim tests, as "W07 3, fig 5"; "" if it does not. */
+static void put_source(FILE *f, const Statement *s)
+{
+    char *text = must_text("%s %s", s ? s->paper : "", s ? s->place : "");
+    table_put_cell(f, s && statement_is_published(s) ? text : "");
+    free(text);
 }
 
 int claims_write(const Check *check, const char *dir, Fault *fault)
 {
     char *path = must_text("%s/claims.csv", dir);
     FILE *f = file_begin(path, fault);
-    if (f) fputs("id,figure,statement,measured,low,high,verdict,reason,source,group,rows\n", f);
+    if (f)
+        fputs("id,figure,statement,measured,low,high,verdict,reason,source,group,rows,sentence\n",
+              f);
     for (const Claim *c = check->list; f && c < check->list + check->n; c++) {
         table_put_cell(f, c->id);
         putc(',', f);
@@ -167,7 +178,11 @@ int claims_write(const Check *check, const char *dir, Fault *fault)
         number_cell(f, c->high);
         fprintf(f, "%s,", claim_verdict_name(c->verdict));
         table_put_cell(f, c->reason);
-        fprintf(f, ",,%s,%d\n", group_of(c), c->rows);
+        putc(',', f);
+        put_source(f, statement_of_claim(c->id));
+        fprintf(f, ",%s,%d,", claim_group(c), c->rows);
+        table_put_cell(f, statement_of_claim(c->id) ? statement_of_claim(c->id)->text : "");
+        putc('\n', f);
     }
     int code = f ? file_commit(f, path, fault) : FAULT_MACHINE;
     free(path);

@@ -26,6 +26,10 @@ struct Check {
 
 const char *claim_verdict_name(Verdict v);
 
+/* Whose claim it is: "W07", "W11" (it stands on a sentence of the paper, statements.h), "hard" or
+ * "own". */
+const char *claim_group(const Claim *c);
+
 /* Reads dir/NAME.csv back and runs the study's check on it, adding to check. 0 or a fault,
  * which it also is if the study makes more or fewer claims than it declares. */
 int claims_judge_study(Check *check, const Study *study, const char *dir, Fault *fault);

@@ -83,3 +83,15 @@ Measure curve_worst(const Table *t, const char *methods, int each, const char *w
     }
     return worst;
 }
+
+Measure curve_mean_ratio(const Curve *a, const Curve *b, int needs)
+{
+    Measure mean = measure_sum_of(2 * needs);
+    for (int k = 0; k < a->n; k++) {
+        const Measure own = measure(a->y[k], !isnan(a->y[k]), 1);
+        const Measure ratio = measure_ratio(own, curve_at(b, a->x[k]));
+        mean.value += ratio.value / (double)needs;
+        mean.rows += ratio.rows;
+    }
+    return mean;
+}

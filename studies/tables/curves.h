@@ -26,6 +26,9 @@ Measure curve_settles(const Curve *c, double level, int needs);
 /* Largest |y/printed - 1| over the points {x, printed, weight}, each times its weight. */
 Measure curve_deviation(const Curve *c, int n, const double printed[][3]);
 
+/* Mean over a's points of a's y over b's at the same x; `needs` points of each. */
+Measure curve_mean_ratio(const Curve *a, const Curve *b, int needs);
+
 /* Order: slope of log y against log x over the points with x in [from, to]; NAN if one of them is
  * not positive. curve_slope: of n points. */
 Measure curve_order(const Curve *c, double from, double to, int needs);

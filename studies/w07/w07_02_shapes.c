@@ -39,6 +39,30 @@ static Measure jump(const Curve *G)
     return measure_with(curve_max(G, SAMPLES), worst);
 }
 
+/* Most nodes that a particle contributes to, over its places within a cell. */
+static Measure most_nodes(const Curve *S)
+{
+    double most = 0;
+    for (int k = 0; k < PARTS; k++) {
+        int n = 0;
+        for (int at = k; at < S->n; at += PARTS) n += S->y[at] > 0;
+        most = measure_worse(most, n);
+    }
+    return measure_with(curve_max(S, SAMPLES), most);
+}
+
+static void check_nodes(Check *c, const Table *rows)
+{
+    static const char *const ids[] = {"W07-2.mpm-nodes", "W07-2.gimp-nodes"};
+    static const char *const says[] = {"nodes in 1D that a particle of MPM contributes to, most",
+                                       "nodes in 1D that a particle of GIMP contributes to, most"};
+    Curve curve;
+    for (int m = 0; m < 2; m++) {
+        curve_pick(&curve, rows, "r", "S", "method=%s", methods[m]);
+        claim(c, ids[m], says[m], most_nodes(&curve), 2 + m, 2 + m);
+    }
+}
+
 static void check(Check *c, const Results *r)
 {
     static const char *const ids[] = {"W07-2.mpm-unity", "W07-2.gimp-unity"};
@@ -49,6 +73,7 @@ static void check(Check *c, const Results *r)
         curve_pick(&curve, r->rows, "r", "S", "method=%s", methods[m]);
         claim(c, ids[m], says[m], unity(&curve), 0, 1e-15);
     }
+    check_nodes(c, r->rows);
     curve_pick(&curve, r->rows, "r", "G", "method=%s", methods[0]);
     claim(c, "W07-2.mpm-jump", "the tent's gradient jumps by 2/h at its node", jump(&curve), 1.999,
           2.001);
@@ -65,5 +90,5 @@ const Study study_w07_02_shapes = {
     .about = "trial functions of MPM and GIMP (half width h/4) and their gradients",
     .tables = tables,
     .check = check,
-    .claims = 4,
+    .claims = 6,
 };

@@ -6,6 +6,8 @@
  * alone: zero tangential velocity is imposed at fixed nodes on edges that move, which leaves an
  * error of pi A/4 relative to A even with a law that is exactly linear. */
 #include <math.h>
+#include <stdio.h>
+#include "forty_percent.h"
 #include "studies/tables/curves.h"
 
 enum { MESHES = 9, METHODS = 3, PRINTED = 5 };
@@ -49,7 +51,7 @@ static void check_values(Check *c, const Table *rows)
         snprintf(text, sizeof text,
                  "%s: largest departure from the recorded errors at 1/8 ... 1/128", methods[m]);
         pick(&curve, rows, "cells", m, "0.004", "neo_hookean");
-        claim(c, ids[m], text, curve_deviation(&curve, PRINTED, printed[m]), 0, 0.15);
+        claim(c, ids[m], text, curve_deviation(&curve, PRINTED, printed[m]), 0, m ? 0.01 : 0.05);
     }
     claim(c, "W07-15.mpm-unreliable",
           "MPM is unreliable once particles cross cells: its error at 1/128 over that at 1/32",
@@ -58,17 +60,26 @@ static void check_values(Check *c, const Table *rows)
 
 static void check_ratios(Check *c, const Table *rows)
 {
-    static const char *const ids[] = {"W07-15.ratio-8", "W07-15.ratio-16", "W07-15.ratio-32"};
-    static const double expected[] = {0.57, 0.59, 0.72};
+    enum { RATIOS = 5 };
+    static const char *const ids[RATIOS] = {"W07-15.ratio-8", "W07-15.ratio-16", "W07-15.ratio-32",
+                                            "W07-15.ratio-64", "W07-15.ratio-128"};
+    static const double expected[RATIOS] = {0.57, 0.59, 0.72, 0.86, 0.96};
     Curve gimp, ge;
     pick(&gimp, rows, "cells", 1, "0.004", "neo_hookean");
     pick(&ge, rows, "cells", 2, "0.004", "neo_hookean");
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < RATIOS; k++) {
         char text[64];
         snprintf(text, sizeof text, "GE-GIMP's error over GIMP's at h = 1/%d", 8 << k);
         claim(c, ids[k], text, measure_ratio(curve_at(&ge, 8 << k), curve_at(&gimp, 8 << k)),
-              expected[k] - 0.05, expected[k] + 0.05);
+              expected[k] - 0.02, expected[k] + 0.02);
     }
+    claim_differs(c, "W07-15.forty-percent",
+                  "gradient enhancement lowers GIMP's error by about forty percent, plate: mean of "
+                  "ratios, nine meshes",
+                  curve_mean_ratio(&ge, &gimp, MESHES), FORTY_PERCENT_LOW, FORTY_PERCENT_HIGH, 0.72,
+                  0.76,
+                  "it saves 43 percent at 1/8, 28 at 1/32, 4 at 1/128, where both reach the floor "
+                  "of the conditions on moving edges");
 }
 
 /* The least order of so many pairs of meshes a factor of two apart, from 1/8 on. */
@@ -87,7 +98,8 @@ static Measure least_order(const Curve *by_cells, int pairs)
 static void check_orders(Check *c, const Table *rows)
 {
     static const char *const why =
-        "the floor pi A/4 = 3.1e-4 is within reach from 1/64 on; up to 1/32 the orders hold";
+        "least order 1.3 (GIMP), 1.0 (GE-GIMP): the floor pi A/4 = 3.1e-4 is within reach from "
+        "1/64 on; up to 1/32 the orders hold";
     Curve gimp, ge;
     pick(&gimp, rows, "cells", 1, "0.0004", "neo_hookean");
     pick(&ge, rows, "cells", 2, "0.0004", "neo_hookean");
@@ -105,9 +117,28 @@ static void check_orders(Check *c, const Table *rows)
                   least_order(&ge, 4), 1.85, 2.2, 0.9, 1.1, why);
 }
 
+/* GIMP beside MPM on the finest mesh; and what an exactly linear law leaves of the tail. */
+static void check_causes(Check *c, const Table *rows)
+{
+    Curve mpm, gimp, ge, linear;
+    pick(&mpm, rows, "cells", 0, "0.004", "neo_hookean");
+    pick(&gimp, rows, "cells", 1, "0.004", "neo_hookean");
+    pick(&ge, rows, "cells", 2, "0.004", "neo_hookean");
+    pick(&linear, rows, "cells", 2, "0.004", "linear");
+    claim(c, "W07-15.gimp-better", "GIMP converges further than MPM: its error over MPM's at 1/128",
+          measure_ratio(curve_at(&gimp, 128), curve_at(&mpm, 128)), 0, 0.5);
+    claim_differs(c, "W07-15.finite-strain",
+                  "the tail-off comes from finite strain: GE-GIMP's error at 1/128 with an exactly "
+                  "linear law over that with the neo-Hookean",
+                  measure_ratio(curve_at(&linear, 128), curve_at(&ge, 128)), 0, 0.5, 0.68, 0.75,
+                  "72 percent of the error stays with a linear law: pi A/4, from conditions at "
+                  "fixed nodes on moving edges");
+}
+
 static void check(Check *c, const Results *r)
 {
     Curve curve;
+    check_causes(c, r->rows);
     check_values(c, r->rows);
     check_ratios(c, r->rows);
     check_orders(c, r->rows);
@@ -124,5 +155,5 @@ const Study study_w07_15_plate = {
     .about = "plate vibration: convergence in h of MPM, GIMP and GE-GIMP, two amplitudes",
     .cases = cases,
     .check = check,
-    .claims = 12,
+    .claims = 17,
 };
