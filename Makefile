@@ -8,7 +8,7 @@ BUILD  = build
 ARCH   = -march=native
 OMP    = -fopenmp
 JOBS   = $(shell nproc)
-DIMS   = 1 2
+DIMS   = 1 2 3
 SAN    =
 WERROR ?=
 
@@ -30,7 +30,8 @@ problem_sources = $(shell sed -n 's/^PROBLEM$(paren)\([a-z_0-9]*\), $(1).*/probl
 PROBLEMS_1 = $(call problem_sources,1)
 PROBLEMS_2 = $(call problem_sources,[01]$(comma) 1)
 PROBLEMS_3 = $(call problem_sources,[01]$(comma) [01]$(comma) 1)
-FEM_2      = $(call sources,fem_ref)
+FEM_2      = $(filter-out fem_ref/mesh_space.c,$(call sources,fem_ref))
+FEM_3      = $(filter-out fem_ref/mesh.c,$(call sources,fem_ref))
 
 objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1)))
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
@@ -105,12 +106,13 @@ WRONG_TEST  = bash tests/cli/wrong_inputs.sh $(BUILD)/mpmlab $(BUILD)/tests
 FAULT_TEST  = bash tests/cli/faults.sh $(BUILD)/mpmlab $(BUILD)/tests
 FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/fuzz/%.o,fuzz_run fuzz_sweep fuzz_files fuzz_tools)
 CORE_DIMS   = 1 2 3
-CORE_3      = core/main_3d fixture $(TEXTBOOK) $(patsubst %,core/test_%,textbook material exact domains_and_strain) \
-              methods/test_shapes problems/test_mass
-CORE_1      = $(filter-out core/main_3d,$(CORE_3)) core/main_dim methods/test_methods methods/test_wls_hand \
-              methods/test_wls_symbols methods/test_wls_cut problems/test_column run/test_status run/test_measures run/test_ledger \
-              $(patsubst %,core/test_%,moment_pass invariants hard on_nodes sort_and_walls dynamics published_errors rules)
+CORE        = fixture $(TEXTBOOK) $(patsubst %,core/test_%,textbook material exact domains_and_strain) \
+              methods/test_shapes methods/test_methods problems/test_mass run/test_status run/test_measures run/test_ledger \
+              $(patsubst %,core/test_%,moment_pass invariants hard on_nodes sort_and_walls dynamics rules)
+CORE_1      = core/main_dim $(CORE) $(patsubst %,methods/test_wls_%,hand symbols cut) core/test_published_errors \
+              problems/test_column
 CORE_2      = $(CORE_1)
+CORE_3      = core/main_3d $(CORE) problems/test_shell fem_ref/test_tetrahedra
 TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_filter textbook_make)
 FEM_TESTS   = $(patsubst %,fem_ref/%,test_fem test_fem_scenes test_mesh) problems/test_ring
 WLS_TESTS   = $(patsubst %,methods/%,test_wls test_wls_runs test_wls_hard test_ge_wls) \
@@ -123,7 +125,7 @@ $(BUILD)/tests/%.o: tests/%.c Makefile
 
 $(BUILD)/tests/fuzz/test_fuzz_corpus.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/fuzz/found"'
 $(BUILD)/d2/tests/core/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/peers"'
-$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,base/test_tools base/test_files studies/test_study studies/test_trial studies/trial studies/test_effort fuzz/test_fuzz_corpus check) \
+$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,base/test_tools base/test_files studies/test_study studies/test_select studies/test_trial studies/trial studies/test_effort run/test_space fuzz/test_fuzz_corpus check) \
   $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 

@@ -35,7 +35,7 @@ static size_t lay_out(Fem *f, char *base)
         f->keep[d] = doubles(&a, f->nodes);
         f->given[d] = doubles(&a, f->nodes);
     }
-    f->now = slice(&a, f->nodes, sizeof(Pair));
+    f->now = slice(&a, f->nodes, sizeof(Packed));
     f->m = doubles(&a, f->nodes);
     f->V0 = doubles(&a, f->nodes);
     f->id = slice(&a, f->nodes, sizeof(int));
@@ -44,7 +44,9 @@ static size_t lay_out(Fem *f, char *base)
     for (int k = 0; k < NMAT; k++) f->F[k] = doubles(&a, f->slots);
     f->inverse = slice(&a, f->slots / CHUNK, sizeof *f->inverse);
     f->A0 = doubles(&a, f->slots);
-    f->force = slice(&a, no_force(f) + 1, sizeof(Pair));
+    f->force = slice(&a, no_force(f) + 1, sizeof(Packed));
+    for (int d = 0; d < DIM && f->integrate; d++) f->middle[d] = doubles(&a, f->slots);
+    if (f->integrate) f->pull = slice(&a, f->slots + 1, sizeof(Packed));
     return a.used;
 }
 
@@ -65,31 +67,52 @@ static int allocate(Fem *f, int cells, Fault *fault)
     return 0;
 }
 
-/* Area, inverse of the edges and smallest height of the elements; padding repeats the last one. */
-static void measure(Fem *f)
+/* Volume and inverse of the reference edges of the element in a slot. Returns its least altitude:
+ * the columns of the cofactors, and their sum, are DIM! times the sides' areas. */
+static double measure(Fem *f, int slot)
 {
-    double smallest = INFINITY;
-    for (int slot = 0; slot < f->slots; slot++) {
-        int e = slot < f->elements ? slot : f->elements - 1, c[CORNERS];
-        double e2[DIM], e3[DIM];
-        for (int k = 0; k < CORNERS; k++) c[k] = f->corner[k][slot] = f->corner[k][e];
-        for (int d = 0; d < DIM; d++) {
-            e2[d] = f->X[d][c[1]] - f->X[d][c[0]];
-            e3[d] = f->X[d][c[2]] - f->X[d][c[0]];
-        }
-        double twice = e2[0] * e3[1] - e2[1] * e3[0];
-        double longest = fmax(hypot(e2[0], e2[1]), hypot(e3[0], e3[1]));
-        longest = fmax(longest, hypot(e3[0] - e2[0], e3[1] - e2[1]));
-        smallest = fmin(smallest, twice / longest);
-        Field *B = f->inverse[slot / CHUNK];
-        B[0][slot % CHUNK] = e3[1] / twice;
-        B[1][slot % CHUNK] = -e3[0] / twice;
-        B[2][slot % CHUNK] = -e2[1] / twice;
-        B[3][slot % CHUNK] = e2[0] / twice;
-        f->A0[slot] = slot < f->elements ? 0.5 * twice : 0;
+    Mat edge;
+    double total[DIM] = {0}, largest = 0;
+    for (int k = 0; k < NMAT; k++) {
+        const int d = k / DIM, c = k % DIM + 1;
+        edge[k] = f->X[d][f->corner[c][slot]] - f->X[d][f->corner[0][slot]];
     }
-    const BodyKind kind = f->scene->body.kind; /* boxes and rings: h, as the published runs */
-    if (kind == BODY_HOLE_PLATE || kind == BODY_DISK) f->edge = fmin(f->edge, smallest);
+    const double det = determinant(edge);
+    Field *B = f->inverse[slot / CHUNK];
+    for (int k = 0; k < DIM; k++) {
+        double square = 0;
+        for (int a = 0; a < DIM; a++) {
+            const double side = cofactor(edge, a, k);
+            B[k * DIM + a][slot % CHUNK] = side / det;
+            square += side * side;
+            total[a] += side;
+        }
+        largest = fmax(largest, square);
+    }
+    double square = 0;
+    for (int a = 0; a < DIM; a++) square += total[a] * total[a];
+    f->A0[slot] = slot < f->elements ? det / FACTORIAL : 0;
+    for (int d = 0; d < DIM && f->integrate; d++) {
+        f->middle[d][slot] = 0;
+        for (int c = 0; c < CORNERS; c++)
+            f->middle[d][slot] += f->X[d][f->corner[c][slot]] / (double)CORNERS;
+    }
+    return det / sqrt(fmax(largest, square));
+}
+
+/* All elements; padding repeats the last one. The length in the time step limit is the least
+ * altitude, in 2D at most h; for boxes and rings in 2D it is h, as in the published runs. */
+static void measure_all(Fem *f)
+{
+    const BodyKind kind = f->scene->body.kind;
+    const bool published = DIM == 2 && (kind == BODY_BOX || kind == BODY_RING);
+    double least = INFINITY;
+    for (int slot = 0; slot < f->slots; slot++) {
+        const int e = slot < f->elements ? slot : f->elements - 1;
+        for (int k = 0; k < CORNERS; k++) f->corner[k][slot] = f->corner[k][e];
+        least = fmin(least, measure(f, slot));
+    }
+    if (DIM > 2 || (!published && least < f->edge)) f->edge = least;
 }
 
 /* A2, and the corners that meet in each node, in element order. */
@@ -130,7 +153,6 @@ static void bind_to_wall(Fem *f, const Wall *w)
 
 static void start_block(Fem *f, int lo, int n)
 {
-    static const double identity[NMAT] = {1, 0, 0, 1};
     const Scene *s = f->scene;
     Field u[DIM] = {{0}}, unused[2][NMAT] = {{{0}}};
     const double *X[DIM];
@@ -139,7 +161,7 @@ static void start_block(Fem *f, int lo, int n)
     for (int k = 0; k < NMAT; k++) {
         pF[k] = unused[0][k];
         pL[k] = unused[1][k];
-        for (int i = 0; i < n; i++) pF[k][i] = identity[k];
+        for (int i = 0; i < n; i++) pF[k][i] = k % (DIM + 1) == 0;
     }
     if (s->problem->start) s->problem->start(s, n, X, pu, pv, pF, pL);
     for (int d = 0; d < DIM; d++)
@@ -165,6 +187,7 @@ Fem *fem_new(const Setup *setup, Fault *fault)
         return NULL;
     }
     f->scene = setup->scene;
+    f->integrate = setup->method_par && setup->method_par[0] > 0 && setup->scene->problem->body;
     f->nodes = mesh.nodes;
     f->elements = mesh.elements;
     f->slots = (mesh.elements + CHUNK - 1) / CHUNK * CHUNK;
@@ -178,7 +201,7 @@ Fem *fem_new(const Setup *setup, Fault *fault)
     for (int d = 0; d < DIM; d++)
         for (int i = 0; i < f->nodes; i++) f->keep[d][i] = 1;
     for (int w = 0; w < f->scene->nwall; w++) bind_to_wall(f, &f->scene->wall[w]);
-    measure(f);
+    measure_all(f);
     connect(f);
     for (int lo = 0; lo < f->nodes; lo += CHUNK)
         start_block(f, lo, f->nodes - lo < CHUNK ? f->nodes - lo : CHUNK);

@@ -1,34 +1,48 @@
-/* fem.h: state of the explicit linear-triangle FEM (W11 Appendix A), shared by the files here.
+/* fem.h: state of the explicit FEM with linear triangles or, in 3D, tetrahedra (W11 Appendix A),
+ * shared by the files here. Volumes are areas in 2D.
  *
  * Nodes and elements are arrays per component. Element arrays have `slots` = elements rounded up to
- * whole chunks; the slots behind the last element repeat it with area 0, and no node listens to
- * them. What is fetched by index (positions, corner forces) lies in pairs: one load, not two. */
+ * whole chunks; padding slots after the last element are copies of it with zero volume, and no node
+ * gathers force from them. Vectors that are fetched by index (positions, corner forces) are packed:
+ * one load each. */
 #ifndef MPMLAB_FEM_H
 #define MPMLAB_FEM_H
 
 #include "common/contract/solver.h"
 
-enum { CORNERS = 3, VALENCE = 8 /* most corners in a node */, BLOCK = 256 /* nodes of a task */ };
+enum {
+    CORNERS = DIM + 1,
+    GROUP = 8,                       /* corners of a node that are summed together */
+    VALENCE = IN_THIS_DIM(2, 8, 32), /* most corners in a node: whole groups */
+    FACTORIAL = IN_THIS_DIM(1, 2, 6),
+    BLOCK = 256 /* nodes of a task */
+};
 
-/* A vector in the plane, also read and written as double[DIM]. */
-typedef double Pair __attribute__((vector_size(DIM * sizeof(double)), may_alias));
+/* A vector of DIM components; in 3D the fourth is 0. */
+typedef double Packed
+    __attribute__((vector_size(IN_THIS_DIM(1, 2, 4) * sizeof(double)), may_alias));
 
 typedef struct Fem {
     const Scene *scene;
     int threads, nodes, elements, slots;
 
     double *X[DIM], *x[DIM], *v[DIM]; /* [m] [m] [m/s] reference, current, velocity at t - dt/2 */
-    Pair *now;                        /* [m] x once more */
-    double *m, *V0;                   /* [kg] [m^2] lumped mass, share of the area */
+    Packed *now;                      /* [m] x once more */
+    double *m, *V0;                   /* [kg] [m^DIM] lumped mass, share of the volume */
     double *keep[DIM];                /* 1; 0 where the component is held for good */
     double *given[DIM];               /* [kg m/s] momentum from body forces and walls so far */
     int (*touching)[VALENCE];         /* corners that meet in the node; its rest: no_force */
     int *id;
 
-    int *corner[CORNERS];   /* counter-clockwise */
-    Field (*inverse)[NMAT]; /* [1/m] [chunk] inverse of the reference edges (X2 - X1, X3 - X1) */
-    double *A0, *F[NMAT];   /* [m^2] [-] reference area, deformation gradient */
-    Pair *force;            /* [N] internal force on the corners: [chunk][corner][CHUNK] */
+    int *corner[CORNERS]; /* counter-clockwise */
+    Field (
+        *inverse)[NMAT];  /* [1/m] [chunk] inverse of the reference edges (X2 - X1, X3 - X1, ...) */
+    double *A0, *F[NMAT]; /* [m^DIM] [-] reference volume, deformation gradient */
+    Packed *force;        /* [N] internal force on the corners: [chunk][corner][CHUNK] */
+
+    bool integrate;      /* the body force is integrated over elements, not taken at nodes (A1): */
+    double *middle[DIM]; /* [m] [slots] centres of the elements in the reference, then */
+    Packed *pull;        /* [N] [slots + 1] an element's body force on each of its corners, then */
 
     Wall barrier[MAX_WALLS]; /* walls that a node may run into */
     int barriers;
@@ -43,6 +57,12 @@ static inline int force_at(int e, int corner)
     return (e / CHUNK * CORNERS + corner) * CHUNK + e % CHUNK;
 }
 
+/* The element whose corner force lies there; `slots` for the force that is always zero. */
+static inline int element_at(int force)
+{
+    return force / (CORNERS * CHUNK) * CHUNK + force % CHUNK;
+}
+
 static inline int no_force(const Fem *f)
 {
     return CORNERS * f->slots;
@@ -54,6 +74,9 @@ void fem_free(Fem *f);
 
 /* F, corner forces and status of the current positions (A3, A4). */
 void fem_strain(Fem *f);
+
+/* det F of element e. */
+double fem_jacobian(const Fem *f, int e);
 
 /* Nodes from t to t + dt under the present corner forces, the body force at t and the walls (A1,
  * A5, A6); the first step takes half the acceleration. */

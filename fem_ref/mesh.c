@@ -1,12 +1,15 @@
-/* mesh.c: structured triangles for the bodies a scene can name (PHYSICS 7, 9, 10).
+/* mesh.c: structured triangles in the plane for the bodies a scene can name.
  *
  * Box, ring, hole plate: ni x nj quads, the image of a square lattice (s, t) in [0,1]^2, each quad
- * cut along alternating diagonals. s runs across (x, radius), t along (y, angle): box         x =
- * lo + (s, t) (hi - lo)                 ni = Lx N, nj = Ly N ring        R = Ri + s (Ro - Ri) ni =
- * (Ro - Ri) N, nj = angle (Ri + Ro)/2 N hole plate  R = Ri + s (edge(angle) - Ri), the blend of
- * circle and square; in units of the plate's width ni = .6 N, nj = 2 ceil(pi/4 .7 N), even so that
- * the diagonal meets the corner (all rounded up). Disk: a centre and rings k = 1 .. Ro N of 6 k
- * nodes: nearly equal triangles. */
+ * cut along alternating diagonals. s runs across (x, radius), t along (y, angle):
+ *
+ *   box         x = lo + (s, t) (hi - lo)              ni = Lx N, nj = Ly N
+ *   ring        R = Ri + s (Ro - Ri)                   ni = (Ro - Ri) N, nj = angle (Ri + Ro)/2 N
+ *   hole plate  R = Ri + s (edge(angle) - Ri), the blend of circle and square; in units of the
+ *               plate's width ni = .6 N, nj = 2 ceil(pi/4 .7 N), even so that the diagonal meets
+ * the corner disk        a centre and rings k = 1 .. Ro N of 6 k nodes: nearly equal triangles
+ *
+ * (all rounded up). */
 #include <limits.h>
 #include <math.h>
 #include "mesh.h"
@@ -143,7 +146,7 @@ static void fill_disk(const Mesh *m, Fields X, int *const corner[3])
         }
 }
 
-void mesh_fill(const Mesh *mesh, Fields X, int *const corner[3])
+void mesh_fill(const Mesh *mesh, Fields X, int *const corner[])
 {
     if (mesh->scene->body.kind == BODY_DISK)
         fill_disk(mesh, X, corner);

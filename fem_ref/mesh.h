@@ -1,4 +1,5 @@
-/* mesh.h: a structured triangle mesh of a scene's body, planned first (its size is known before any
+/* mesh.h: a structured mesh of a scene's body, of triangles (mesh.c) or tetrahedra (mesh_space.c),
+ * planned first (its size is known before any
  * memory is asked for), then filled into arrays of the caller's. */
 #ifndef MPMLAB_MESH_H
 #define MPMLAB_MESH_H
@@ -8,8 +9,9 @@
 
 typedef struct Mesh {
     const Scene *scene;
-    int ni, nj;  /* quads across (x, radius) and along (y, angle); disk: rings, 6 sectors */
-    bool closed; /* the last column of quads meets the first */
+    int ni, nj;  /* cells across (x, radius) and along (y, angle); disk: rings, 6 sectors */
+    int nk;      /* 3D: along z; round bodies: layers of ni x ni cells on each face of a cube */
+    bool closed; /* the last column of cells meets the first */
     int nodes, elements;
 } Mesh;
 
@@ -17,8 +19,8 @@ typedef struct Mesh {
  * counting. */
 int mesh_plan(Mesh *mesh, const Scene *scene, int cells, Fault *fault);
 
-/* Node positions X [m] [DIM][nodes] and, counter-clockwise, corners [3][elements]. Neighbours in
- * space have near numbers. */
-void mesh_fill(const Mesh *mesh, Fields X, int *const corner[3]);
+/* Node positions X [m] [DIM][nodes] and corners [DIM + 1][elements], so that volumes are positive.
+ * Neighbours in space have near numbers. */
+void mesh_fill(const Mesh *mesh, Fields X, int *const corner[]);
 
 #endif

@@ -1,6 +1,10 @@
 /* node.c: motion of the nodes (W11 A1, A5, A6), walls, and the momentum that comes from outside.
  *
  *   a = f/M + b(X, t),  v += dt a (dt/2 on the first step),  x += dt v.
+ *
+ * b is that at the node (A1) or the mean over the elements around it, with their shares of its
+ * mass, of b at their centres.
+ *
  * Forces are summed node by node over its corners in a fixed order: no bit depends on the number of
  * threads.
  *
@@ -12,16 +16,57 @@
  * call the wall bilateral. */
 #include "fem.h"
 
+/* Sum over a node's corners of what lies at their places, in groups and a fixed order. */
+static inline Packed sum_corners(const Packed *value, const int at[VALENCE], int none)
+{
+    Packed total = {0};
+    for (int first = 0; first < VALENCE; first += GROUP) {
+        Packed sum[GROUP];
+        if (first > 0 && at[first] == none) break;
+        for (int k = 0; k < GROUP; k++) sum[k] = value[at[first + k]];
+        for (int half = GROUP / 2; half > 0; half /= 2)
+            for (int k = 0; k < half; k++) sum[k] += sum[k + half];
+        total += sum[0];
+    }
+    return total;
+}
+
 /* Internal force on the nodes lo .. lo + n. */
 static inline void gather_forces(const Fem *f, int lo, int n, double force[DIM][BLOCK])
 {
     for (int i = 0; i < n; i++) {
-        const int *at = f->touching[lo + i];
-        Pair sum[VALENCE];
-        for (int k = 0; k < VALENCE; k++) sum[k] = f->force[at[k]];
-        for (int half = VALENCE / 2; half > 0; half /= 2)
-            for (int k = 0; k < half; k++) sum[k] += sum[k + half];
-        for (int d = 0; d < DIM; d++) force[d][i] = sum[0][d];
+        const Packed sum = sum_corners(f->force, f->touching[lo + i], no_force(f));
+        for (int d = 0; d < DIM; d++) force[d][i] = sum[d];
+    }
+}
+
+/* rho V b at the centre of each element, in equal shares for its corners. */
+static void pull_chunk(Fem *f, int start, double t)
+{
+    Field b[DIM];
+    const double *X[DIM];
+    double *out[DIM];
+    for (int d = 0; d < DIM; d++) {
+        X[d] = f->middle[d] + start;
+        out[d] = b[d];
+    }
+    f->scene->problem->body(f->scene, CHUNK, X, t, out);
+    for (int e = 0; e < CHUNK; e++) {
+        const double share = f->scene->mat.rho * f->A0[start + e] / (double)CORNERS;
+        Packed own = {0};
+        for (int d = 0; d < DIM; d++) own[d] = share * b[d][e];
+        f->pull[start + e] = own;
+    }
+}
+
+/* Body force per mass from the elements around the nodes lo .. lo + n. */
+static void integrated_force(const Fem *f, int lo, int n, double b[DIM][BLOCK])
+{
+    for (int i = 0; i < n; i++) {
+        int element[VALENCE];
+        for (int k = 0; k < VALENCE; k++) element[k] = element_at(f->touching[lo + i][k]);
+        const Packed sum = sum_corners(f->pull, element, f->slots);
+        for (int d = 0; d < DIM; d++) b[d][i] = sum[d] / f->m[lo + i];
     }
 }
 
@@ -29,6 +74,10 @@ static void body_force(const Fem *f, int lo, int n, double t, double b[DIM][BLOC
 {
     const double *X[DIM];
     double *out[DIM];
+    if (f->integrate) {
+        integrated_force(f, lo, n, b);
+        return;
+    }
     for (int d = 0; d < DIM; d++) {
         X[d] = f->X[d] + lo;
         out[d] = b[d];
@@ -98,6 +147,9 @@ static void move_block(Fem *f, int lo, double t, double dt, double dt_v)
 void fem_move(Fem *f, double t, double dt, bool first)
 {
     const double dt_v = first ? 0.5 * dt : dt;
+    const int slots = f->integrate ? f->slots : 0;
+#pragma omp parallel for schedule(static) num_threads(f->threads)
+    for (int start = 0; start < slots; start += CHUNK) pull_chunk(f, start, t);
 #pragma omp parallel for schedule(static) num_threads(f->threads)
     for (int lo = 0; lo < f->nodes; lo += BLOCK) move_block(f, lo, t, dt, dt_v);
 }

@@ -1,13 +1,17 @@
-/* solver.c: explicit FEM with linear triangles as a Solver: the yardstick of W11 (Appendix A).
+/* solver.c: explicit FEM with linear triangles (3D: tetrahedra) as a Solver: the reference of W11
+ * (Appendix A).
  *
  * One Gauss point, lumped mass, updated Lagrangian, central difference with the half first step.
  * Points are nodes (id = node), samples are elements. Shares no loop with the particle methods, so
- * that they cannot share a fault. element.c has the forces, node.c the motion, build.c and mesh.c
- * the mesh. */
+ * that they cannot share a fault. element.c has the forces, node.c the motion, build.c, mesh.c and
+ * mesh_space.c the mesh. */
 #include <math.h>
 #include "fem.h"
 
-static const Param params[] = {{NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+static const Param params[] = {{"body", 0, 0, 1, "",
+                                "body force taken at the nodes, or integrated over the elements",
+                                "W11 A1", "nodes|elements"},
+                               {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 static void *make(const Setup *setup, Fault *fault)
 {
@@ -69,10 +73,10 @@ static void impulse(const void *self, Vec out)
     }
 }
 
-/* Adds the F and sigma of element e, of a chunk with Kirchhoff stress T, to its three nodes. */
+/* Adds the F and sigma of element e, of a chunk with Kirchhoff stress T, to its nodes. */
 static void share(const Fem *f, int e, const Field T[NMAT], Fields F, Fields sigma)
 {
-    const double J = f->F[0][e] * f->F[3][e] - f->F[1][e] * f->F[2][e];
+    const double J = fem_jacobian(f, e);
     for (int c = 0; c < CORNERS; c++) {
         int i = f->corner[c][e];
         double weight = f->A0[e] / ((double)CORNERS * f->V0[i]);
@@ -83,7 +87,7 @@ static void share(const Fem *f, int e, const Field T[NMAT], Fields F, Fields sig
     }
 }
 
-/* Means of the elements around a node, weighted with their reference areas. */
+/* Means of the elements around a node, weighted with their reference volumes. */
 static void point_stress(const void *self, Fields F, Fields sigma)
 {
     const Fem *f = self;
@@ -99,21 +103,30 @@ static void point_stress(const void *self, Fields F, Fields sigma)
     }
 }
 
+/* Faces of an element, each seen from outside; in 2D the triangle itself. */
+enum { FACES = IN_THIS_DIM(1, 1, 4) };
+static const int faces[4][3] = {
+    {0, DIM > 2 ? 2 : 1, DIM > 2 ? 1 : 2}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+
 static void patches(const void *self, PatchVisit *visit, void *own)
 {
     const Fem *f = self;
     for (int e = 0; e < f->elements; e++) {
-        Patch patch = {.sides = CORNERS, .V0 = f->A0[e]};
+        Patch patch = {.sides = 3, .V0 = f->A0[e]};
         for (int k = 0; k < NMAT; k++) patch.F[k] = f->F[k][e];
         for (int c = 0; c < CORNERS; c++)
             for (int d = 0; d < DIM; d++) {
                 const int i = f->corner[c][e];
-                patch.corner[c][d] = f->x[d][i];
                 patch.X[d] += f->X[d][i] / (double)CORNERS;
                 patch.x[d] += f->x[d][i] / (double)CORNERS;
                 patch.v[d] += f->v[d][i] / (double)CORNERS;
             }
-        visit(own, &patch);
+        for (; patch.face < FACES; patch.face++) {
+            for (int c = 0; c < 3; c++)
+                for (int d = 0; d < DIM; d++)
+                    patch.corner[c][d] = f->x[d][f->corner[faces[patch.face][c]][e]];
+            visit(own, &patch);
+        }
     }
 }
 
@@ -125,8 +138,10 @@ static void destroy(void *self)
 const Solver solver_fem = {
     .info = {.name = "fem",
              .label = "FEM",
-             .about = "explicit linear triangles on a body-fitted mesh, the reference",
+             .about =
+                 "explicit linear triangles or tetrahedra on a body-fitted mesh, the reference",
              .source = "W11 Appendix A",
+             .formula = "m_i a_i = -sum_e sigma_e grad phi_i A_e + m_i b_i, lumped mass",
              .params = params},
     .make = make,
     .unit_dt = unit_dt,

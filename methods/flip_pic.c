@@ -23,8 +23,12 @@ static const Param params[] = {{"alpha", 0.99, 0, 1, "", "1: FLIP; 0: PIC", "", 
                                {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 const Method method_flip_pic = {
-    .info = {"flip_pic", "FLIP/PIC", "GIMP with a blend of the FLIP and the PIC update",
-             "Zhu & Bridson 2005; Stomakhin et al. 2013", params},
+    .info = {.name = "flip_pic",
+             .label = "FLIP/PIC",
+             .about = "GIMP with a blend of the FLIP and the PIC update",
+             .formula = "v_p = alpha (v_p + dt sum S_ip a_i) + (1 - alpha) sum S_ip v_i",
+             .source = "Zhu & Bridson 2005; Stomakhin et al. 2013",
+             .params = params},
     .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},
     .smooth = true,

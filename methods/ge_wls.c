@@ -15,6 +15,9 @@ const Method method_ge_wls = {
              .about =
                  "WLS2 with gradients in the fit, corrected mass and velocity, curved cut cells",
              .source = "W07 section 4 in W11's least squares",
+             .formula =
+                 "v_i = c0 of min sum W_ip [(c0 + c.(x_p - x_i) - v_p)^2 + (g h)^2 |c - "
+                 "L_p|^2], g = hermite, then corrected by the mass matrix; v_p += dt sum W_ip a_i",
              .params = params},
     .linear_exact = true,
     WLS_STAGES,

@@ -15,6 +15,8 @@ const Method method_tpic = {
              .label = "TPIC",
              .about = "gradient-enhanced deposit, PIC update of velocity and gradient",
              .source = "Nakamura, Matsumura & Mizutani 2023",
+             .formula = "v_i = sum m_p S_ip (v_p + L_p (x_i - x_p)) / sum m_p S_ip; v_p = sum S_ip "
+                        "v_i, L_p = sum v_i dS_ip/dx",
              .params = params},
     .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},

@@ -11,6 +11,8 @@ const Method method_wls = {
              .label = "WLS",
              .about = "weighted least squares on nodes, integrals over full and cut cells",
              .source = "W11 sections 3, 4",
+             .formula = "v_i = c0 of min sum W_ip (c0 + c.(x_p - x_i) - v_p)^2; f_i = -sum_q "
+                        "sigma_q G_iq V_q over cells q; v_p += dt sum S_ip a_i",
              .params = params},
     WLS_STAGES,
 };

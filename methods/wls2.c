@@ -11,6 +11,7 @@ const Method method_wls2 = {
              .label = "WLS2",
              .about = "WLS with second-order surfaces, exact cut cells, extrapolated velocities",
              .source = "after W11",
+             .formula = "as wls: fit on nodes, integrals over cells; v_p += dt sum S_ip a_i",
              .params = params},
     .linear_exact = true,
     WLS_STAGES,

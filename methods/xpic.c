@@ -12,6 +12,7 @@ const Method method_xpic = {
              .label = "XPIC",
              .about = "PIC update of velocities that were filtered of the null space, order k",
              .source = "Hammerquist & Nairn 2017",
+             .formula = "v_p = [I - (I - S S+)^k] v_p + dt S a, S+ the projection to nodes",
              .params = filter_params},
     .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},

@@ -1,5 +1,5 @@
-/* cantilever.c: a 4 x 1 m beam held at its root and sheared at its end (plane strain), for locking
- * near incompressibility.
+/* cantilever.c: a 4 x 1 m beam held at its root and sheared at its end, for locking near
+ * incompressibility: in plane strain, or 1 m thick with free sides.
  *
  * The end shear tau = .01 E, downwards, is spread as a body force over the last metre of the
  * reference body, so that every method and the FEM on any mesh solve the same problem:
@@ -8,7 +8,8 @@
  * trapezoids (the FEM's lumped nodes) both give it exactly wherever a cell's side falls on X = 3.
  * The shear grows linearly over one period T of the beam's lowest bending mode and is held then: at
  * t = T and after, a linear beam is at rest (the ramp excites nothing of that period).
- *   T = 2 pi/w, w = (1.8751/L)^2 sqrt(E' I/(rho H)), I = H^3/12, E' = E/(1 - nu^2).
+ *   T = 2 pi/w, w = (1.8751/L)^2 sqrt(E' I/(rho H)), I = H^3/12, E' = E/(1 - nu^2) in plane
+ * strain, E in 3D.
  * A linear beam's tip sinks by the ends of that load: w(L) = -2.2 m at nu = .3, so that rotations
  * are large. */
 #include <math.h>
@@ -28,13 +29,19 @@ static int init(Scene *s, char why[128])
 {
     (void)why;
     s->mat = material_make(NEO_HOOKEAN, s->par[E], s->par[NU], rho);
-    const double plane = s->par[E] / (1 - s->par[NU] * s->par[NU]), inertia = pow(height, 3) / 12;
+    const double nu = DIM > 2 ? 0 : s->par[NU], plane = s->par[E] / (1 - nu * nu),
+                 inertia = pow(height, 3) / 12;
     const double w = pow(1.8751 / length, 2) * sqrt(plane * inertia / (rho * height));
     s->hi[0] = length + 1;
     s->lo[1] = -length;
     s->hi[1] = height + 1;
     s->body_hi[0] = length;
     s->body_hi[1] = height;
+    if (DIM > 2) {
+        s->lo[DIM - 1] = -1;
+        s->hi[DIM - 1] = height + 1;
+        s->body_hi[DIM - 1] = height;
+    }
     s->wall[s->nwall++] = (Wall){.axis = 0, .side = -1, .at = 0, .hold = (1u << DIM) - 1};
     s->c = material_wave_speed_bound(&s->mat);
     s->k[RAMP] = s->t_end = 2 * M_PI / w;
@@ -48,7 +55,7 @@ static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
     const double tau = s->k[TAU] * fmin(t / s->k[RAMP], 1), scale = 2 * tau / (rho * strip * strip);
     for (int p = 0; p < n; p++) {
         const double into = X[0][p] - (length - strip);
-        b[0][p] = 0;
+        for (int d = 0; d < DIM; d++) b[d][p] = 0;
         b[1][p] = into > 0 ? -scale * into : 0;
     }
 }
@@ -60,7 +67,7 @@ const Problem problem_cantilever = {
              .source = "",
              .params = params},
     .cells = 8,
-    .ppc = 4,
+    .ppc = IN_THIS_DIM(2, 4, 8),
     .cfl = 0.4,
     .init = init,
     .body = body,

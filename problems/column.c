@@ -66,6 +66,9 @@ const Problem problem_column = {
              .label = "column",
              .about = "a bar under its own weight, held on top and free below, exact solution",
              .source = "",
+             .formula = "w = w0(s) - [w0(s + c t) + w0(s - c t)]/2 at s from the top, w0 = (g/c^2) "
+                        "(s - s^2/2), odd, of period 4",
+             .scale = "g/c^2",
              .params = params},
     .cells = 32,
     .ppc = IN_THIS_DIM(2, 4, 8),

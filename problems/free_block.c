@@ -1,6 +1,6 @@
 /* free_block.c: a free neo-Hookean unit block that rotates, drifts and oscillates in an empty box;
  * the scene of the bench, of free flight and of rotation tests. In 1D the same along its first
- * axis.
+ * axis; in 3D a cube, alike along z, whose faces across z are free.
  *
  *   v(X) = w (-Y, X) + (.03, .02) c + .05 c cos 3X cos 2Y (.2 X/(.1 + X^2 + Y^2), Y)
  * with X, Y from the centre, w = .2 c/.7071 (corner speed .2 c) and c of W11 eq 33. */
@@ -69,7 +69,7 @@ const Problem problem_free_block = {
              .source = "",
              .params = params},
     .cells = 128,
-    .ppc = 4,
+    .ppc = IN_THIS_DIM(4, 4, 8),
     .cfl = 0.3,
     .steps = 100,
     .init = init,

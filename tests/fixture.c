@@ -35,7 +35,7 @@ RunSpec rig_spec(const Case *c, const char *method, const char *integrator, cons
 bool rig_plan(Rig *r, const Case *c, const char *method, Integrator integrator, const char *more)
 {
     r->fault = (Fault){0};
-    r->spec = rig_spec(c, method, step_integrator_names[integrator], more);
+    r->spec = rig_spec(c, method, step_integrators[integrator].name, more);
     if (plan_make(&r->spec, &r->plan, &r->fault)) return false;
     r->dt = r->plan.cfl * r->plan.scene.cell / r->plan.scene.c;
     return true;
@@ -45,7 +45,7 @@ void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator 
                int cells, double ppc)
 {
     char why[128];
-    check_context(DIM, problem->info.name, method->info.name, step_integrator_names[integrator],
+    check_context(DIM, problem->info.name, method->info.name, step_integrators[integrator].name,
                   NULL);
     *r = (Rig){.plan = {.scene = {.problem = problem, .cell = 1.0 / cells}}};
     Plan *plan = &r->plan;

@@ -27,13 +27,15 @@ typedef struct Nodes {
     const double *x[DIM], *v[DIM], *m; /* position, velocity after the last projection, mass */
 } Nodes;
 
-/* A polygon of a solver's mesh, or of a cell of the grid that holds material: whole or cut off. */
+/* A polygon of a solver's mesh, or of a cell of the grid that holds material: whole or cut off. In
+ * 3D a face of one, seen from outside; the faces of an element or cell follow each other. */
 enum { PATCH_SIDES = 8 };
 typedef struct Patch {
     int sides;
+    int face;                        /* of its element or cell: 0, 1, ...; in 2D always 0 */
     double corner[PATCH_SIDES][DIM]; /* [m] around it */
     bool cut;                        /* by the surface */
-    Vec X, x, v; /* elements only: means of the corners, in the reference, too */
+    Vec X, x, v; /* elements only: means of their corners, in the reference, too */
     Mat F;       /* elements only */
     double V0;   /* elements only: [m^DIM] reference volume */
 } Patch;

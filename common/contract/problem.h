@@ -28,10 +28,19 @@ typedef struct Wall {
 
 enum { MAX_WALLS = 8, MAX_DERIVED = 16 };
 
-/* The body as data, for who must fit points or triangles to it. Box: body_lo to body_hi. Ring,
- * disk: radii [m] about centre, angles [rad]. Hole plate: the box less a hole of radius inner about
- * centre. */
-typedef enum { BODY_BOX, BODY_RING, BODY_DISK, BODY_HOLE_PLATE } BodyKind;
+/* The body as data, for layouts and meshes that fit it. Box: body_lo to body_hi. Ring, disk: radii
+ * [m] about centre, angles [rad]; a ring in 3D reaches from body_lo to body_hi along the last axis.
+ * Hole plate: the box less a hole of radius inner about centre. Shell, ball: radii about centre.
+ * Cavity: a cube less the ball of radius inner about centre. */
+typedef enum {
+    BODY_BOX,
+    BODY_RING,
+    BODY_DISK,
+    BODY_HOLE_PLATE,
+    BODY_SHELL,
+    BODY_BALL,
+    BODY_CAVITY
+} BodyKind;
 
 typedef struct Body {
     BodyKind kind;
@@ -85,6 +94,8 @@ struct Scene {
     Vec lo, hi;           /* domain of the grid [m]: particles that leave it are lost */
     Vec body_lo, body_hi; /* box around the body [m] */
     Body body;
+    bool octant; /* only the octant of a shell, ball or cavity that lies along the positive axes */
+    Mat turn;    /* rotation of a whole one's body-fitted points or mesh, row-major */
     Wall wall[MAX_WALLS];
     int nwall;
     double c;              /* [m/s] the speed in dt0 = CFL h/c */

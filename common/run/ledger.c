@@ -47,18 +47,25 @@ double ledger_momentum(const Points *p, Vec out)
     return sum;
 }
 
-double ledger_angular_momentum(const Points *p)
+/* sum m (r_a v_b - r_b v_a) about the centre of mass. */
+static double spin_in_plane(const Points *p, int a, int b)
 {
     double mass = 0, x[2] = {0}, mv[2] = {0}, sum = 0;
-    const int last = DIM - 1;
-    if (DIM != 2) return NAN;
     for (int k = 0; k < p->n; k++) {
-        const double r[] = {p->x[0][k], p->x[last][k]}, v[] = {p->v[0][k], p->v[last][k]};
+        const double r[] = {p->x[a][k], p->x[b][k]}, v[] = {p->v[a][k], p->v[b][k]};
         mass += p->m[k];
         sum += p->m[k] * (r[0] * v[1] - r[1] * v[0]);
-        for (int a = 0; a < 2; a++) x[a] += p->m[k] * r[a], mv[a] += p->m[k] * v[a];
+        for (int c = 0; c < 2; c++) x[c] += p->m[k] * r[c], mv[c] += p->m[k] * v[c];
     }
     return sum - (x[0] * mv[1] - x[1] * mv[0]) / mass;
+}
+
+void ledger_angular_momentum(const Points *p, double out[3])
+{
+    for (int c = 0; c < 3; c++) {
+        const int a = (c + 1) % 3, b = (c + 2) % 3;
+        out[c] = a < DIM && b < DIM ? spin_in_plane(p, a % DIM, b % DIM) : NAN;
+    }
 }
 
 Volumes ledger_volumes(const Samples *q)

@@ -13,8 +13,10 @@ typedef struct Volumes {
 Volumes ledger_volumes(const Samples *q);
 double ledger_kinetic(const Points *p);                                 /* [J] */
 double ledger_strain(const Scene *scene, const Samples *q, Scratch *s); /* [J] */
-double
-ledger_angular_momentum(const Points *p); /* [kg m^2/s] about the centre of mass; NAN but in 2D */
+
+/* [kg m^2/s] Angular momentum about the centre of mass: in 2D only the component along z, in 1D
+ * none; the others are NAN. */
+void ledger_angular_momentum(const Points *p, double out[3]);
 double ledger_momentum(const Points *p, Vec out); /* [kg m/s]; returns sum of m |v| */
 
 /* [J] Work of the body forces of time t on the way of each point from from[DIM][id]: sum of

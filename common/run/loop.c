@@ -33,7 +33,7 @@ void loop_measure_state(Loop *l, Moment *m)
     m->volume = v.sum;
     m->least_J = v.least;
     m->most_J = v.most;
-    m->angular = ledger_angular_momentum(&p);
+    ledger_angular_momentum(&p, m->angular);
 }
 
 /* The larger number. NAN means that nothing was measured so far and is less than any number. */

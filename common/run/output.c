@@ -6,7 +6,7 @@
 
 static void number(FILE *out, double x, const char *after)
 {
-    if (!isnan(x)) fprintf(out, "%.17g", x);
+    info_number_write(out, x);
     fputs(after, out);
 }
 
@@ -18,25 +18,32 @@ static double axis(const double *const v[DIM], int a, int k)
 void output_history_header(FILE *out)
 {
     fputs(
-        "t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume,least_J,most_J,angular\n",
+        "t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume,least_J,most_J,angular,pz,"
+        "angular_x,angular_y,angular_z\n",
         out);
 }
 
+/* In 2D angular momentum is one number, in a column of its own. */
 void output_history_line(FILE *out, const Moment *m)
 {
+    const double *const p = m->momentum, *const L = m->angular;
     const double columns[] = {m->t,
                               m->kinetic,
                               m->strain,
                               m->work,
                               m->kinetic + m->strain,
-                              m->momentum[0],
-                              DIM > 1 ? m->momentum[DIM > 1] : NAN,
+                              p[0],
+                              DIM > 1 ? p[DIM > 1] : NAN,
                               m->error_linf,
                               m->dt,
                               m->volume,
                               m->least_J,
                               m->most_J,
-                              m->angular};
+                              DIM == 2 ? L[2] : NAN,
+                              DIM > 2 ? p[DIM - 1] : NAN,
+                              DIM > 2 ? L[0] : NAN,
+                              DIM > 2 ? L[1] : NAN,
+                              DIM > 2 ? L[2] : NAN};
     const int n = sizeof columns / sizeof *columns;
     for (int k = 0; k < n; k++) number(out, columns[k], k + 1 < n ? "," : "\n");
 }
@@ -59,14 +66,19 @@ static void state_line(FILE *out, const State *s, int k)
     for (int c = 0; c < 8; c++) number(out, DIM > 1 || in_line[c] ? tensors[c] : NAN, ",");
     number(out, s->von_mises[k], ",");
     number(out, s->m[k], s->surface[k] ? ",1," : ",0,");
-    number(out, s->energy[k], "\n");
+    number(out, s->energy[k], ",");
+    const double in_space[] = {s->X[k][2], s->x[k][2], s->v[k][2], f[2], f[5],
+                               f[6],       f[7],       f[8],       t[2], t[5]};
+    for (int c = 0; c < 10; c++) number(out, DIM > 2 ? in_space[c] : NAN, c < 9 ? "," : "\n");
 }
 
 static int write_state(const char *path, const State *s, Fault *fault)
 {
     FILE *out = file_begin(path, fault);
     if (!out) return FAULT_MACHINE;
-    fputs("id,X,Y,x,y,vx,vy,Fxx,Fxy,Fyx,Fyy,sxx,syy,sxy,szz,von_mises,mass,surface,energy\n", out);
+    fputs("id,X,Y,x,y,vx,vy,Fxx,Fxy,Fyx,Fyy,sxx,syy,sxy,szz,von_mises,mass,surface,energy,"
+          "Z,z,vz,Fxz,Fyz,Fzx,Fzy,Fzz,sxz,syz\n",
+          out);
     for (int k = 0; k < s->n; k++) state_line(out, s, k);
     return file_commit(out, path, fault);
 }
@@ -98,39 +110,43 @@ int output_nodes(const char *path, const Solver *solver, const void *self, Fault
     FILE *out = file_begin(path, fault);
     if (!out) return FAULT_MACHINE;
     solver->nodes(self, &n);
-    fputs("id,x,y,mass,vx,vy\n", out);
+    fputs("id,x,y,mass,vx,vy,z,vz\n", out);
     for (int k = 0; k < n.n; k++) {
         fprintf(out, "%d,", k);
         for (int a = 0; a < 2; a++) number(out, axis(n.x, a, k), ",");
         number(out, n.m[k], ",");
         number(out, n.v[0][k], ",");
-        number(out, axis(n.v, 1, k), "\n");
+        number(out, axis(n.v, 1, k), ",");
+        number(out, axis(n.x, 2, k), ",");
+        number(out, axis(n.v, 2, k), "\n");
     }
     return file_commit(out, path, fault);
 }
 
 typedef struct Polygons {
     FILE *out;
-    int n;
+    int n, cells;
 } Polygons;
 
 static void patch_lines(void *own, const Patch *patch)
 {
     Polygons *p = own;
-    if (p->n) fputs("\n", p->out);
+    if (p->n++) fputs("\n", p->out);
+    p->cells += patch->face == 0;
     for (int k = 0; k < patch->sides; k++) {
-        fprintf(p->out, "%d,%d,", p->n, k);
-        for (int d = 0; d < DIM; d++) number(p->out, patch->corner[k][d], ",");
-        fputs(patch->cut ? "1\n" : "0\n", p->out);
+        fprintf(p->out, "%d,%d,", p->cells - 1, k);
+        for (int d = 0; d < 2 && d < DIM; d++) number(p->out, patch->corner[k][d], ",");
+        fputs(patch->cut ? "1" : "0", p->out);
+        if (DIM > 2) fprintf(p->out, ",%.17g,%d", patch->corner[k][DIM - 1], patch->face);
+        fputs("\n", p->out);
     }
-    p->n++;
 }
 
 int output_patches(const char *path, const Solver *solver, const void *self, Fault *fault)
 {
-    Polygons p = {file_begin(path, fault), 0};
+    Polygons p = {.out = file_begin(path, fault)};
     if (!p.out) return FAULT_MACHINE;
-    fputs("cell,k,x,y,cut\n", p.out);
+    fputs(DIM > 2 ? "cell,k,x,y,cut,z,face\n" : "cell,k,x,y,cut\n", p.out);
     solver->patches(self, patch_lines, &p);
     return file_commit(p.out, path, fault);
 }

@@ -13,7 +13,7 @@ typedef struct Moment {
     Vec momentum;                 /* [kg m/s] */
     double error_linf, dt;
     double volume, least_J, most_J; /* [m^DIM] sum V0 J; [-] its extremes */
-    double angular; /* [kg m^2/s] about the centre of mass; 2D; of v half a step before x */
+    double angular[3]; /* [kg m^2/s] about the centre of mass, of v half a step before x */
 } Moment;
 
 void output_history_header(FILE *out);
@@ -27,15 +27,16 @@ int output_particles(const char *path, const Scene *scene, const Solver *solver,
  * their corners, mass their own), else particles. */
 int output_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
                    Fault *fault);
-/* What the norms of that instant are made of, in placement order: id,X,Y,error,weight. */
+/* What the norms of that instant are made of, in placement order: id,X,Y,error,weight,Z. */
 int output_errors(const char *path, const Scene *scene, const Points *p, double t, Scratch *s,
                   Fault *fault);
 
-/* Live nodes with their velocities: id,x,y,mass,vx,vy. Of solvers that have nodes. */
+/* Live nodes with their velocities: id,x,y,mass,vx,vy,z,vz. Of solvers that have nodes. */
 int output_nodes(const char *path, const Solver *solver, const void *self, Fault *fault);
 
-/* Polygons of cells or elements as the last step had them: cell,k,x,y,cut; a blank line between
- * two. Of solvers that have patches; none after a run that ended before its first grid. */
+/* Polygons of cells or elements as the last step had them: cell,k,x,y,cut; in 3D the faces of each,
+ * with ,z,face behind. A blank line between two. Of solvers that have patches; none after a run
+ * that ended before its first grid. */
 int output_patches(const char *path, const Solver *solver, const void *self, Fault *fault);
 
 #endif

@@ -84,13 +84,18 @@ static int choose_method(RunSpec *spec, Plan *plan, Fault *fault)
         plan->solver = *s;
         plan->method = &(*s)->info;
     }
+    if (DIM > 2 && plan->setup.method && plan->setup.method->assemble)
+        return fault_set(fault, FAULT_USAGE,
+                         "--method: got '%s', which integrates over cut cells and takes one or two "
+                         "dimensions",
+                         spec->method);
     if (plan->method) return 0;
     return fault_set(fault, FAULT_USAGE,
                      "--method: got '%s', takes a method of %dD; did you mean '%s'?", spec->method,
                      DIM, fault_nearest_name(spec->method, names, n));
 }
 
-/* 1D: a whole number of particles; 2D lattice: n^2 per cell. */
+/* 1D: a whole number of particles; 2D lattice: n^2 per cell; 3D: n^3 in any layout. */
 static int choose_ppc(RunSpec *spec, Plan *plan, const double run[], Fault *fault)
 {
     Setup *s = &plan->setup;
@@ -110,10 +115,11 @@ static int choose_ppc(RunSpec *spec, Plan *plan, const double run[], Fault *faul
                              spec->ppc);
         s->count = (int)count;
         spec->ppc = count / (s->cells * length);
-    } else if (!s->fitted && s->method && fabs(pow(n, DIM) - spec->ppc) > 1e-9 * spec->ppc)
-        return fault_set(fault, FAULT_USAGE,
-                         "--ppc: got '%g', takes n^%d (%g, %g, ...) on a lattice", spec->ppc, DIM,
-                         pow(fmax(n, 1), DIM), pow(n + 1, DIM));
+    } else if ((DIM > 2 || !s->fitted) && s->method &&
+               fabs(pow(n, DIM) - spec->ppc) > 1e-9 * spec->ppc)
+        return fault_set(fault, FAULT_USAGE, "--ppc: got '%g', takes n^%d (%g, %g, ...)%s",
+                         spec->ppc, DIM, pow(fmax(n, 1), DIM), pow(n + 1, DIM),
+                         DIM > 2 ? "" : " on a lattice");
     s->ppc = spec->ppc;
     return 0;
 }
@@ -223,11 +229,12 @@ static int check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
         return fault_set(fault, FAULT_USAGE,
                          "--nodes: got '%s', takes a method with a grid, not %s", spec->nodes,
                          name);
-    if (spec->patches && !(DIM == 2 && solver->patches && polygons))
-        return fault_set(fault, FAULT_USAGE,
-                         "--patches: got '%s', takes two dimensions and a method with polygons, "
-                         "not %s in %dD",
-                         spec->patches, name, DIM);
+    if (spec->patches && !(DIM > 1 && solver->patches && polygons))
+        return fault_set(
+            fault, FAULT_USAGE,
+            "--patches: got '%s', takes two or three dimensions and a method with polygons, "
+            "not %s in %dD",
+            spec->patches, name, DIM);
     return 0;
 }
 

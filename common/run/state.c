@@ -5,7 +5,7 @@
 
 static bool state_new(State *s, int n, Fault *fault)
 {
-    const size_t row = (9 + 18 + 4) * sizeof(double) + 1, room = (size_t)n + 1;
+    const size_t row = (12 + 18 + 4) * sizeof(double) + 1, room = (size_t)n + 1;
     *s = (State){.n = n};
     char *at = s->memory = calloc(room, row);
     if (!at) {
@@ -14,6 +14,7 @@ static bool state_new(State *s, int n, Fault *fault)
     }
     s->X = (void *)at, at += room * sizeof *s->X;
     s->x = (void *)at, at += room * sizeof *s->x;
+    s->u = (void *)at, at += room * sizeof *s->u;
     s->v = (void *)at, at += room * sizeof *s->v;
     s->F = (void *)at, at += room * sizeof *s->F;
     s->sigma = (void *)at, at += room * sizeof *s->sigma;
@@ -64,6 +65,7 @@ static void set_point(State *s, const Scene *scene, const Points *p, double *con
     for (int d = 0; d < DIM; d++) {
         s->X[r][d] = p->X[d][k];
         s->x[r][d] = p->x[d][k];
+        s->u[r][d] = s->x[r][d] - s->X[r][d];
         s->v[r][d] = p->v[d][k];
     }
     s->id[r] = r;
@@ -94,8 +96,7 @@ int state_of_points(State *out, const Scene *scene, const Solver *solver, const 
 
 static void count_patch(void *own, const Patch *patch)
 {
-    (void)patch;
-    *(int *)own += 1;
+    *(int *)own += patch->face == 0;
 }
 
 typedef struct Filling {
@@ -107,6 +108,7 @@ typedef struct Filling {
 static void fill_patch(void *own, const Patch *patch)
 {
     Filling *f = own;
+    if (patch->face > 0) return;
     State *s = f->state;
     const int r = f->n++;
     Field F[NMAT], T[NMAT];
@@ -121,6 +123,7 @@ static void fill_patch(void *own, const Patch *patch)
     for (int d = 0; d < DIM; d++) {
         s->X[r][d] = patch->X[d];
         s->x[r][d] = patch->x[d];
+        s->u[r][d] = s->x[r][d] - s->X[r][d];
         s->v[r][d] = patch->v[d];
     }
     s->id[r] = r;

@@ -11,7 +11,7 @@
 typedef struct State {
     int n;
     int64_t *id;
-    double (*X)[3], (*x)[3], (*v)[3];                 /* [m] [m] [m/s] */
+    double (*X)[3], (*x)[3], (*u)[3], (*v)[3];        /* [m] [m] [m] [m/s], u = x - X */
     double (*F)[9], (*sigma)[9], *von_mises, *energy; /* [-] [Pa] [Pa] [J/m^DIM] stored */
     double *m;                                        /* [kg] */
     uint8_t *surface;                                 /* 1: a surface particle */

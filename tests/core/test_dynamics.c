@@ -75,7 +75,7 @@ static Row run(const Case *c, const char *method, Integrator i, const char *more
 {
     Row row = row_empty();
     Fault fault = {0};
-    const RunSpec spec = rig_spec(c, method, step_integrator_names[i], more);
+    const RunSpec spec = rig_spec(c, method, step_integrators[i].name, more);
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     return row;
 }

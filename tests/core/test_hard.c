@@ -80,15 +80,16 @@ static void test_answers(void)
     CU_ASSERT(isnan(run("rate=0.1", "gimp", "cd", NULL).error_linf));
 }
 
-/* The last four columns of a line of history: volume, extremes of J, angular momentum. */
-static void last_line(const char *path, double out[4])
+/* The last eight columns of a line of history: volume, extremes of J, angular momentum; those of
+ * 3D. */
+static void last_line(const char *path, double out[8])
 {
     char line[512], last[512] = "";
     FILE *in = fopen(path, "r");
     CU_ASSERT_PTR_NOT_NULL_FATAL(in);
     while (fgets(line, sizeof line, in)) strcpy(last, line);
     fclose(in);
-    for (int k = 3; k >= 0; k--) {
+    for (int k = 7; k >= 0; k--) {
         char *comma = strrchr(last, ',');
         CU_ASSERT_PTR_NOT_NULL_FATAL(comma);
         out[k] = comma[1] && comma[1] != '\n' ? strtod(comma + 1, NULL) : NAN;
@@ -102,7 +103,7 @@ static void test_history(void)
 {
     enum { VOLUME, LEAST, MOST, ANGULAR };
     static const char path[] = "hard_history.csv";
-    double end[4];
+    double end[8];
     const double w = 0.5 * speed, J = pow(1 + 0.3 / 16 * 0.5, 30);
     const double turned = pow(1 + pow(0.3 / 16 * 0.5, 2), 30);
     run("rate=0.5", "ge_gimp", "cd", path);

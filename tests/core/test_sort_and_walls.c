@@ -4,7 +4,8 @@
 #include "tests/fixture.h"
 
 static const Case moving[] = {{1, "free_block", 200, 3, 0, "drift=10;box=2"},
-                              {2, "free_block", 16, 4, 0, "drift=4;spin=2;box=2"}};
+                              {2, "free_block", 16, 4, 0, "drift=4;spin=2;box=2"},
+                              {3, "free_block", 10, 8, 0, "drift=4;spin=2;box=2"}};
 
 /* Where the particle's stencil stands: GIMP's about the nearest node. */
 static void lattice_cell(const Sim *sim, int slot, int cell[DIM])

@@ -240,8 +240,8 @@ static void test_folded(void)
  */
 static void test_wall_field(void)
 {
-    const char *const scene[] = {"bar", "ring"};
-    const Case c = {DIM, scene[DIM - 1], 16, 0, 0, NULL};
+    const char *const scene[] = {"bar", "ring", "shell"};
+    const Case c = {DIM, scene[DIM - 1], DIM < 3 ? 16 : 6, 0, 0, NULL};
     Rig r;
     static Work w;
     CU_ASSERT_FATAL(rig_plan(&r, &c, "bspline", CD, NULL));

@@ -1,4 +1,4 @@
-/* balance.h: a plane scene's exact motion against finite differences: deformation gradient, first
+/* balance.h: a scene's exact motion against finite differences: deformation gradient, first
  * Piola-Kirchhoff stress of the neo-Hookean law, and the body force that balances its momentum. */
 #ifndef MPMLAB_BALANCE_H
 #define MPMLAB_BALANCE_H
@@ -15,12 +15,18 @@ static const double balance_step = 0.004; /* [m]; in time a hundredth of the sce
 
 static inline void displacement(const Scene *s, const Vec X, double t, Vec u)
 {
-    s->problem->exact(s, 1, (const double *[]){&X[0], &X[1]}, t, (double *[]){&u[0], &u[1]});
+    const double *at[DIM];
+    double *out[DIM];
+    for (int d = 0; d < DIM; d++) at[d] = &X[d], out[d] = &u[d];
+    s->problem->exact(s, 1, at, t, out);
 }
 
 static inline void body_force(const Scene *s, const Vec X, double t, Vec b)
 {
-    s->problem->body(s, 1, (const double *[]){&X[0], &X[1]}, t, (double *[]){&b[0], &b[1]});
+    const double *at[DIM];
+    double *out[DIM];
+    for (int d = 0; d < DIM; d++) at[d] = &X[d], out[d] = &b[d];
+    s->problem->body(s, 1, at, t, out);
 }
 
 /* F_ab = delta_ab + du_a/dX_b */
@@ -31,7 +37,8 @@ static inline void exact_gradient(const Scene *s, const Vec X, double t, Mat F)
         for (int a = 0; a < DIM; a++) F[a * DIM + b] = a == b;
         for (int k = 1; k <= 4; k++)
             for (int side = -1; side <= 1; side += 2) {
-                Vec at = {X[0], X[1]}, u;
+                Vec at, u;
+                for (int d = 0; d < DIM; d++) at[d] = X[d];
                 at[b] += side * k * e;
                 displacement(s, at, t, u);
                 for (int a = 0; a < DIM; a++)
@@ -67,8 +74,9 @@ static inline void balance(const Scene *s, const Vec X, double t, Vec b)
     for (int axis = 0; axis < DIM; axis++)
         for (int k = 1; k <= 4; k++)
             for (int side = -1; side <= 1; side += 2) {
-                Vec at = {X[0], X[1]};
+                Vec at;
                 Mat P;
+                for (int d = 0; d < DIM; d++) at[d] = X[d];
                 at[axis] += side * k * e;
                 first_stress(s, at, t, P);
                 for (int a = 0; a < DIM; a++)
@@ -76,16 +84,16 @@ static inline void balance(const Scene *s, const Vec X, double t, Vec b)
             }
 }
 
-/* Initial v [m/s] and L [1/s] of the scene; and by differences, from the exact motion just after
- * the start. */
-static inline void start_velocity(const Scene *s, const Vec X, Vec v, Mat L)
+/* Initial v [m/s] and L [1/s] of the scene, with its u and F; and by differences, from the exact
+ * motion just after the start, grad v with respect to X. */
+static inline void start_velocity(const Scene *s, const Vec X, Vec v, Mat L, Vec u, Mat F)
 {
-    double none[NMAT] = {0};
-    double *unused[] = {none, none, none, none};
-    for (int k = 0; k < NMAT; k++) L[k] = 0;
-    for (int d = 0; d < DIM; d++) v[d] = 0;
-    s->problem->start(s, 1, (const double *[]){&X[0], &X[1]}, unused, (double *[]){&v[0], &v[1]},
-                      unused, (double *[]){&L[0], &L[1], &L[2], &L[3]});
+    const double *at[DIM];
+    double *pu[DIM], *pv[DIM], *pF[NMAT], *pL[NMAT];
+    for (int d = 0; d < DIM; d++) at[d] = &X[d], pu[d] = &u[d], pv[d] = &v[d], u[d] = v[d] = 0;
+    for (int k = 0; k < NMAT; k++)
+        pF[k] = &F[k], pL[k] = &L[k], L[k] = 0, F[k] = k % (DIM + 1) == 0;
+    s->problem->start(s, 1, at, pu, pv, pF, pL);
 }
 
 static inline void exact_velocity(const Scene *s, const Vec X, Vec v, Mat L)

@@ -34,9 +34,9 @@ static void test_start(void)
     const Scene s = scene();
     for (int k = 0; k < 40; k++) {
         const Vec X = {k % 4 ? 0.0257 * k : 0, k % 4 == 1 ? 1 : 0.0257 * k};
-        Vec v, expected;
-        Mat L, gradient;
-        start_velocity(&s, X, v, L);
+        Vec v, expected, u;
+        Mat L, gradient, F;
+        start_velocity(&s, X, v, L, u, F);
         exact_velocity(&s, X, expected, gradient);
         for (int a = 0; a < DIM; a++) CHECK_CLOSE(v[a], expected[a], 1e-9 * s.c * par[0]);
         for (int a = 0; a < NMAT; a++) CHECK_CLOSE(L[a], gradient[a], 1e-9 * s.c * par[0]);

@@ -39,10 +39,10 @@ static void test_start(void)
 {
     const Scene s = scene();
     for (int k = 0; k < 40; k++) {
-        Vec X, v, expected;
-        Mat L, gradient;
+        Vec X, v, expected, u;
+        Mat L, gradient, F;
         point(&s, k, X);
-        start_velocity(&s, X, v, L);
+        start_velocity(&s, X, v, L, u, F);
         exact_velocity(&s, X, expected, gradient);
         for (int a = 0; a < DIM; a++) CHECK_CLOSE(v[a], expected[a], 1e-9);
         for (int a = 0; a < NMAT; a++) CHECK_CLOSE(L[a], gradient[a], 1e-8);

@@ -1,0 +1,104 @@
+/* shell.c: oscillating spherical shell in 3D, the ring's manufactured solution one dimension up
+ * (radial.h; coefficients of W11 eq 37): no traction on either surface, since nu = 0. One octant
+ * between three symmetry planes, or the whole shell, placed anywhere on the grid and turned. */
+#include <stdio.h>
+#include "common/contract/sphere.h"
+#include "radial.h"
+
+enum { AMPLITUDE, SECTOR, OFFSET, ANGLE = OFFSET + DIM };
+enum { OCTANT, FULL };
+
+static const Param params[] = {
+    {"A", 0.1, -0.15, 0.15, "m", "amplitude: displacement at the outer radius", "", NULL},
+    {"sector", OCTANT, 0, 1, "", "an octant with symmetry planes, or the full shell", "",
+     "octant|full"},
+    {"offset_x", 0, -1, 1, "h", "full: centre of the shell off the grid plane x = 0", "", NULL},
+    {"offset_y", 0, -1, 1, "h", "full: centre of the shell off the grid plane y = 0", "", NULL},
+    {"offset_z", 0, -1, 1, "h", "full: centre of the shell off the grid plane z = 0", "", NULL},
+    {"angle", 0, -360, 360, "deg",
+     "full: turn of body-fitted points or mesh about the axis (1, 2, 3)", "", NULL},
+    {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+
+static double amplitude(const Scene *s, double t)
+{
+    return radial_amplitude(s, s->par[AMPLITUDE], t);
+}
+
+static int init(Scene *s, char why[128])
+{
+    const double axis[3] = {1, 2, 3};
+    const bool full = s->par[SECTOR] > 0;
+    double moved = fabs(s->par[ANGLE]);
+    for (int d = 0; d < DIM; d++) moved += fabs(s->par[OFFSET + d]);
+    if (!full && moved > 0) {
+        snprintf(why, 128, "offset_x, offset_y, offset_z and angle need sector=full");
+        return -1;
+    }
+    radial_init(s, s->par[AMPLITUDE]);
+    s->body = (Body){.kind = BODY_SHELL, .inner = radial_inner, .outer = radial_outer};
+    s->octant = !full;
+    sphere_turn(axis, s->par[ANGLE] * M_PI / 180, s->turn);
+    for (int d = 0; d < DIM; d++) {
+        s->body.centre[d] = s->par[OFFSET + d] * s->cell;
+        s->lo[d] = full ? -2 : 0;
+        s->hi[d] = 2;
+        s->body_lo[d] = full ? s->body.centre[d] - radial_outer : 0;
+        s->body_hi[d] = s->body.centre[d] + radial_outer;
+        if (!full) s->wall[s->nwall++] = (Wall){.axis = d, .side = -1, .at = 0, .mirror = true};
+    }
+    return 0;
+}
+
+static bool inside(const Scene *s, const Vec X)
+{
+    return radial_inside(s, DIM, X);
+}
+
+static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
+{
+    radial_exact(s, DIM, n, X, amplitude(s, t), u);
+}
+
+static double distance(const Scene *s, const Vec x, double t)
+{
+    return radial_depth(s, DIM, x, amplitude(s, t));
+}
+
+static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fields F, Fields L)
+{
+    (void)v, (void)L;
+    radial_start(s, DIM, n, X, amplitude(s, 0), u, F);
+}
+
+static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
+{
+    radial_body(s, DIM, n, X, amplitude(s, t), b);
+}
+
+/* Spheres at mid radii, and surface particles on both surfaces. */
+static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
+{
+    if (!fitted) return false;
+    sphere_fill(out, s, radial_inner, radial_outer, spacing);
+    sphere_add(out, s, radial_inner, 0, spacing, -1);
+    sphere_add(out, s, radial_outer, 0, spacing, 1);
+    return true;
+}
+
+const Problem problem_shell = {
+    .info = {.name = "shell",
+             .label = "Oscillating shell",
+             .about = "large-strain oscillation of a neo-Hookean spherical shell, exact solution",
+             .source = "after W11 5.1",
+             .params = params},
+    .cells = 32,
+    .ppc = 8,
+    .cfl = 0.3,
+    .init = init,
+    .inside = inside,
+    .place = place,
+    .start = start,
+    .exact = exact,
+    .distance = distance,
+    .body = body,
+};

@@ -1,0 +1,141 @@
+/* test_space.c: runs in three dimensions against the plane, symmetry, exact solutions and numbers
+ * measured on an independent code. */
+#include <string.h>
+#include "studies/runs/run_args.h"
+#include "tests/check.h"
+
+/* The row of a run given as its command line. */
+static Row run_text(const char *format, const char *method)
+{
+    char text[512];
+    RunSpec spec;
+    const Engine *engine;
+    Fault fault = {0};
+    Row row = row_empty();
+    snprintf(text, sizeof text, format, method);
+    CU_ASSERT_FATAL(run_args_resolve(text, &spec, &engine, &fault) == 0);
+    CU_ASSERT_FATAL(engine->run(&spec, &row, &fault) == 0);
+    return row;
+}
+
+/* The same of a run that must come to its end. */
+static Row run_whole(const char *format, const char *method)
+{
+    const Row row = run_text(format, method);
+    CHECK_TEXT(row.status, "ok");
+    return row;
+}
+
+static void check_equal(const Row *a, const Row *b, double tolerance)
+{
+    CHECK_CLOSE(a->error_linf / b->error_linf, 1, tolerance);
+    CHECK_CLOSE(a->error_l2 / b->error_l2, 1, tolerance);
+    CHECK_CLOSE(a->error_l1 / b->error_l1, 1, tolerance);
+}
+
+/* A ring between two symmetry planes is the plane ring. */
+static void test_ring(void)
+{
+    static const char *const same[] = {"mpm", "gimp", "ge_gimp", "bspline", "apic", "tpic"};
+    for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
+        const Row plane = run_whole("run ring --cells 10 --method %s", same[k]);
+        const Row space = run_whole("run ring --cells 10 --method %s --set dim=3", same[k]);
+        CHECK_CLOSE(space.particles, 4 * plane.particles, 0);
+        check_equal(&space, &plane, 1e-11);
+    }
+}
+
+/* Three symmetry planes stand for the other seven octants. */
+static void test_octant(void)
+{
+    static const char *const each[] = {"gimp", "ge_gimp", "apic", "fem"};
+    for (size_t k = 0; k < sizeof each / sizeof *each; k++) {
+        const Row octant = run_whole("run shell --cells 6 --method %s", each[k]);
+        const Row whole = run_whole("run shell --cells 6 --method %s --set sector=full", each[k]);
+        CHECK_CLOSE(whole.elements > 0 ? whole.elements : whole.particles,
+                    8 * (octant.elements > 0 ? octant.elements : octant.particles), 0);
+        check_equal(&octant, &whole, 1e-10);
+    }
+}
+
+/* Largest errors of the shell in one period: measured once on an independent code. */
+static void test_shell(void)
+{
+    static const struct {
+        const char *method, *text;
+        double error, within;
+    } known[] = {
+        {"gimp", "run shell --cells 8 --method %s", 0.00898, 0.1},
+        {"ge_gimp", "run shell --cells 8 --method %s", 0.00811, 0.1},
+        {"bspline", "run shell --cells 8 --method %s", 0.0110, 0.1},
+        {"fem", "run shell --cells 8 --cfl .6 --method %s", 0.00664, 0.05},
+        {"fem", "run shell --cells 16 --cfl .6 --method %s", 0.00166, 0.05},
+        {"fem", "run shell --cells 8 --cfl .6 --set body=elements --method %s", 0.00466, 0.05}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        const Row row = run_whole(known[k].text, known[k].method);
+        CHECK_CLOSE(row.error_linf / known[k].error, 1, known[k].within);
+        CU_ASSERT(row.momentum_drift < 1e-12);
+    }
+}
+
+/* Second order on the cube of standing waves. */
+static void test_order(void)
+{
+    const Row coarse = run_whole("run axis_mms --cells 6 --set dim=3 --method %s", "ge_gimp");
+    const Row fine = run_whole("run axis_mms --cells 12 --set dim=3 --method %s", "ge_gimp");
+    CU_ASSERT(log2(coarse.error_linf / fine.error_linf) > 1.9);
+}
+
+/* Every method that runs in 3D keeps the momentum of a free block that drifts along all axes. */
+static void test_momentum(void)
+{
+    for (const Info *const *m = engine_3d.methods; *m; m++) {
+        RunSpec spec = {.problem = "block"};
+        strcpy(spec.method, (*m)->name);
+        spec_set(&spec, "dim=3", NULL);
+        if (engine_3d.resolve(&spec, NULL)) continue;
+        const Row row = run_text("run block --set dim=3 --cells 4 --set stretch=.95 --set angle=20 "
+                                 "--set drift_x=.1 --set drift_y=-.05 --set drift_z=.07 --set "
+                                 "offset_x=.3 --set offset_z=.2 --set steps=20 --method %s",
+                                 (*m)->name);
+        CU_ASSERT(row.momentum_drift < 1e-12);
+    }
+}
+
+static int dim_of(const char *text)
+{
+    RunSpec spec;
+    const Engine *engine;
+    CU_ASSERT_FATAL(run_args_resolve(text, &spec, &engine, NULL) == 0);
+    return engine->dim;
+}
+
+/* Commands of the time before 3D keep their meaning, and the key says dim=3 where it is not the
+ * scene's own. */
+static void test_dimension(void)
+{
+    RunSpec spec;
+    const Engine *engine;
+    char command[SPEC_TEXT];
+    CU_ASSERT_EQUAL(dim_of("run free_block"), 2);
+    CU_ASSERT_EQUAL(dim_of("run free_block --set dim=1"), 1);
+    CU_ASSERT_EQUAL(dim_of("run ring"), 2);
+    CU_ASSERT_EQUAL(dim_of("run ring --set dim=3"), 3);
+    CU_ASSERT_EQUAL(dim_of("run shell"), 3);
+    CU_ASSERT_EQUAL(dim_of("run bar"), 1);
+    CU_ASSERT_FATAL(run_args_resolve("run ring --set dim=3", &spec, &engine, NULL) == 0);
+    CHECK_CLOSE(spec.ppc, 8, 0);
+    spec_command(&spec, command);
+    CU_ASSERT_PTR_NOT_NULL(strstr(command, "--set dim=3"));
+}
+
+extern const TestCase space_tests[];
+const TestCase space_tests[] = {
+    {"a ring between symmetry planes is the plane ring", test_ring},
+    {"an octant of the shell is the whole", test_octant},
+    {"errors of the shell as measured elsewhere", test_shell},
+    {"second order of GE-GIMP on standing waves", test_order},
+    {"momentum of a free block", test_momentum},
+    {"default dimension of a scene", test_dimension},
+    {NULL, NULL},
+};
