@@ -220,11 +220,14 @@ extern const TestCase files_tests[], study_tests[], trial_tests[], effort_tests[
 
 int main(void)
 {
-    const TestSuite suites[] = {
-        {"tools", tools_tests},           {"files", files_tests},
-        {"study", study_tests},           {"select", select_tests},
-        {"effort", effort_tests},         {"found by the fuzzers", found_tests},
-        {"claims on trial", trial_tests}, {"space", space_tests},
-        {NULL, NULL}};
+    const TestSuite suites[] = {{"tools", tools_tests},
+                                {"files", files_tests},
+                                {"study", study_tests},
+                                {"select", select_tests},
+                                {"effort", effort_tests},
+                                {"found by the fuzzers", found_tests},
+                                {"claims on trial", trial_tests},
+                                {"space", space_tests},
+                                {NULL, NULL}};
     return check_run(suites);
 }
