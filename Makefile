@@ -104,7 +104,7 @@ CORE_DIMS   = 1 2 3
 CORE        = fixture $(TEXTBOOK) $(patsubst %,core/test_%,textbook material exact domains_and_strain) \
               methods/test_shapes methods/test_methods problems/test_mass run/test_status run/test_measures run/test_ledger \
               $(patsubst %,core/test_%,sort_and_walls dynamics)
-CORE_1      = core/main_dim $(CORE) methods/test_wls_hand \
+CORE_1      = core/main_dim $(CORE) $(patsubst %,methods/test_wls_%,hand symbols cut) problems/test_column \
               $(patsubst %,core/test_%,moment_pass invariants hard on_nodes rules published_errors)
 CORE_2      = $(CORE_1)
 CORE_3      = core/main_3d $(CORE) problems/test_shell fem_ref/test_tetrahedra
@@ -120,7 +120,7 @@ $(BUILD)/tests/%.o: tests/%.c Makefile
 
 $(BUILD)/tests/fuzz/test_fuzz_corpus.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/fuzz/found"'
 $(BUILD)/d2/tests/core/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/peers"'
-$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,base/test_tools base/test_files studies/test_study studies/test_trial studies/trial studies/test_effort run/test_space fuzz/test_fuzz_corpus check) \
+$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,base/test_tools base/test_files studies/test_study studies/test_select studies/test_trial studies/trial studies/test_effort run/test_space fuzz/test_fuzz_corpus check) \
   $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 

@@ -141,6 +141,7 @@ const Solver solver_fem = {
              .about =
                  "explicit linear triangles or tetrahedra on a body-fitted mesh, the reference",
              .source = "W11 Appendix A",
+             .formula = "m_i a_i = -sum_e sigma_e grad phi_i A_e + m_i b_i, lumped mass",
              .params = params},
     .make = make,
     .unit_dt = unit_dt,

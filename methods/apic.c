@@ -27,6 +27,8 @@ const Method method_apic = {
              .label = "APIC",
              .about = "affine velocity of every particle from moments of the grid velocity",
              .source = "Jiang et al. 2015",
+             .formula = "v_i = sum m_p S_ip (v_p + B_p D_p^-1 (x_i - x_p)) / sum m_p S_ip; v_p = "
+                        "sum S_ip v_i, B_p = sum S_ip v_i (x_i - x_p)^T",
              .params = params},
     .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},
@@ -34,7 +36,7 @@ const Method method_apic = {
     .affine = true,
     .moments = true,
     .linear_exact = true,
-    .pic = true,
+    .pic = 1,
     .turns = true,
     .smooth = true,
     .width = spline_width,

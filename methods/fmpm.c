@@ -10,14 +10,17 @@
 #include "methods/parts/filters.h"
 
 const Method method_fmpm = {
-    .info = {.name = "fmpm",
-             .label = "FMPM",
-             .about = "grid velocities of a full mass matrix to order k, PIC update",
-             .source = "Nairn & Hammerquist 2021",
-             .params = filter_params},
+    .info =
+        {.name = "fmpm",
+         .label = "FMPM",
+         .about = "grid velocities of a full mass matrix to order k, PIC update",
+         .source = "Nairn & Hammerquist 2021",
+         .formula =
+             "v_p = S sum_(l<k) (I - S+ S)^l v_i, v_i the accelerated velocity of the lumped mass",
+         .params = filter_params},
     .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},
-    .pic = true,
+    .pic = 1,
     .smooth = true,
     .width = gimp_width,
     .shape = gimp_shape,

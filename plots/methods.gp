@@ -1,3 +1,8 @@
-# methods.gp: EVERY = the methods of style.gp and whatever others the table has, in its order.
-note(m) = strstrt(' '.EVERY.' ', ' '.m.' ') == 0 ? (EVERY = EVERY.' '.m, 0) : 0
-stats csv using (note(strcol('method'))) nooutput
+# methods.gp: seen_ = the methods of the table list_ in its order; at_(method) = their places from 0.
+seen_ = ''
+add_(m) = strstrt(' '.seen_.' ', ' '.m.' ') ? 0 : (seen_ = seen_.' '.m, 0)
+set datafile columnheaders # the first line is none of them
+stats list_ using (add_(strcol('method'))) nooutput
+unset datafile columnheaders
+at_(m) = sum [k = 1:words(seen_)] (word(seen_, k) eq m ? k - 1 : 0)
+array VARIANT[4] = ['#0072B2', '#009E73', '#D55E00', '#CC79A7'] # of variants of one method

@@ -10,22 +10,23 @@ if (fmt eq 'png') {
 set output out
 set datafile separator ','
 
-# One colour (Okabe and Ito, then Tol's muted ones, told apart by colour-blind readers, too) and one
-# marker a method, the same in every figure: use `ls style('gimp')`. A method that is not listed
-# here is drawn by what follows FEM; `load plots.'/methods.gp'` first finds it in the table.
-METHODS = 'mpm gimp ge_mpm ge_gimp wls wls2 ge_wls bspline apic tpic xpic fmpm fem'
-LABELS = 'MPM GIMP GE-MPM GE-GIMP WLS WLS2 GE-WLS B-spline APIC TPIC XPIC FMPM FEM'
-array COLOUR[18] = ['#D55E00', '#0072B2', '#E69F00', '#56B4E9', '#009E73', '#CC79A7', '#8C6D00', \
-                    '#332288', '#882255', '#CC6677', '#44AA99', '#999933', '#000000', '#7A5195', \
-                    '#999999', '#117733', '#661100', '#6699CC']
-array MARKER[18] = [4, 7, 6, 5, 9, 11, 13, 15, 12, 8, 10, 14, 2, 3, 12, 6, 4, 8]
-do for [k = 1:18] {
-    set style line k lc rgb COLOUR[k] lw 1.6 pt MARKER[k] ps 0.8
+# One label, colour and marker per method, the same in every figure: use `ls style('gimp')`, label('gimp') and
+# COLOUR[style('gimp')]. The program hands over METHODS, LABELS, COLOURS and MARKERS (studies/engine/palette.c); a
+# method that is not among them is drawn in grey.
+if (!exists('METHODS')) { METHODS = ''; LABELS = ''; COLOURS = ''; MARKERS = '' }
+place(m) = sum [k = 1:words(METHODS)] (word(METHODS, k) eq m ? k : 0)
+slot(k) = k < 20 ? k : k + 10 # line styles 20 to 29 are not methods'
+OTHER = slot(words(METHODS) + 1)
+array COLOUR[OTHER]
+do for [k = 1:words(METHODS)] {
+    COLOUR[slot(k)] = word(COLOURS, k)
+    set style line slot(k) lc rgb word(COLOURS, k) lw 1.6 pt int(word(MARKERS, k)) ps 0.8
 }
-EVERY = METHODS # and what methods.gp adds
-place(m) = sum [k = 1:words(EVERY)] (word(EVERY, k) eq m ? k : 0)
-style(m) = place(m) < 1 || place(m) > 18 ? 18 : place(m)
-label(m) = place(m) > 0 && place(m) <= words(LABELS) ? word(LABELS, place(m)) : m
+COLOUR[OTHER] = '#999999'
+set style line OTHER lc rgb '#999999' lw 1.6 pt 8 ps 0.8
+style(m) = place(m) ? slot(place(m)) : OTHER
+plain(s) = strstrt(s, '_') ? s[1:strstrt(s, '_') - 1].'\_'.plain(s[strstrt(s, '_') + 1:]) : s # no subscripts
+label(m) = place(m) ? word(LABELS, place(m)) : plain(m)
 
 # Rows of one method: `using (only('gimp', 'ppc')):'error_linf'` has no points of the others.
 only(m, column_name) = strcol('method') eq m ? column(column_name) : NaN

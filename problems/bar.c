@@ -43,11 +43,15 @@ static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
 }
 
 const Problem problem_bar = {
-    .info = {.name = "bar",
-             .label = "saw-tooth bar",
-             .about = "a moving bar is stopped at one end; saw-tooth displacements",
-             .source = "W07 5.2, figs 11, 12",
-             .params = params},
+    .info =
+        {.name = "bar",
+         .label = "saw-tooth bar",
+         .about = "a moving bar is stopped at one end; saw-tooth displacements",
+         .source = "W07 5.2, figs 11, 12",
+         .formula =
+             "u = +-v0 min(t', X/c, 2 L/c - t'), t' = t mod 2 L/c, its sign changing every 2 L/c",
+         .scale = "v0 L/c",
+         .params = params},
     .cells = 40,
     .ppc = 2,
     .cfl = 0.1,

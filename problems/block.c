@@ -178,6 +178,8 @@ const Problem problem_block = {
              .label = "block",
              .about = "a block in uniform motion and strain: what should not change",
              .source = "",
+             .formula = "x = X + (F - I)(X - X_c) + offset, then uniform motion",
+             .scale = "1 m",
              .params = params},
     .cells = 16,
     .ppc = IN_THIS_DIM(2, 4, 8),

@@ -180,6 +180,8 @@ const Problem problem_patch = {
              .label = "patch of particles",
              .about = "projection of a linear field: uneven particles, edges, corners, no time",
              .source = "",
+             .formula = "v = (1 + x + 2 y, 2 - x + y), projected to the nodes",
+             .scale = "|v(x_i)| of each node",
              .params = params},
     .cells = 16,
     .ppc = IN_THIS_DIM(2, 4, 8),

@@ -70,6 +70,9 @@ const Problem problem_plate_vibration = {
              .label = "plate vibration",
              .about = "in-plane vibration of a square plate",
              .source = "W07 5.3, figs 14, 15; Soedel 2004",
+             .formula = "u = A cos(pi X) sin(pi Y) cos wt, v = -A sin(pi X) cos(pi Y) cos wt, w = "
+                        "pi sqrt(2 mu/rho)",
+             .scale = "A",
              .params = params},
     .cells = 32,
     .ppc = 4,

@@ -128,6 +128,8 @@ const Problem problem_ring = {
              .label = "Oscillating ring",
              .about = "large-strain oscillation of a neo-Hookean ring, exact solution",
              .source = "W11 5.1, eqs 36, 37",
+             .formula = "u(R) = A cos(c pi t) (c1 R + c2 R^2 + c3 R^3), body force to match",
+             .scale = "1 m",
              .params = params},
     .cells = 32,
     .ppc = IN_THIS_DIM(2, 4, 8),

@@ -45,6 +45,8 @@ const Problem problem_sine_bar = {
              .label = "sine bar",
              .about = "standing wave in a bar with fixed ends",
              .source = "W07 5.2, fig 13",
+             .formula = "u = A sin(pi X) cos(c pi t)",
+             .scale = "A",
              .params = params},
     .cells = 40,
     .ppc = 2,

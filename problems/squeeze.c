@@ -73,6 +73,8 @@ const Problem problem_squeeze = {
              .label = "squeeze test",
              .about = "projection of a linear or quadratic velocity field, no time",
              .source = "W07 sections 3, 5.1",
+             .formula = "v = 1 + x or (1 + x)^2, projected to the nodes",
+             .scale = "|v(x_i)| of each node",
              .params = params},
     .cells = 100,
     .ppc = 2,

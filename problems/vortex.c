@@ -143,6 +143,9 @@ const Problem problem_vortex = {
              .label = "Generalized vortex",
              .about = "circles of a neo-Hookean ring turn: large shear, rotation, exact solution",
              .source = "Kamojjala et al. 2013",
+             .formula = "a circle of radius R turns by G sin(pi t) (1 - 32 (R-1)^2 + 256 (R-1)^4), "
+                        "body force to match",
+             .scale = "1 m",
              .params = params},
     .cells = 32,
     .ppc = 4,

@@ -1,18 +1,20 @@
 /* measure.c: see measure.h. */
 #include "measure.h"
 
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdbool.h>
 
-double worse(double a, double b)
+double measure_worse(double a, double b)
 {
     if (isnan(a) || isnan(b)) return NAN;
     return a > b ? a : b;
 }
 
-double lesser(double a, double b)
+double measure_lesser(double a, double b)
 {
-    return -worse(-a, -b);
+    return -measure_worse(-a, -b);
 }
 
 Measure measure(double value, int rows, int needs)
@@ -20,39 +22,39 @@ Measure measure(double value, int rows, int needs)
     return (Measure){value, rows, needs};
 }
 
-Measure closed_form(double value)
+Measure measure_formula(double value)
 {
     return measure(value, 0, 0);
 }
 
-Measure largest_of(int needs)
+Measure measure_max_of(int needs)
 {
     return measure(-INFINITY, 0, needs);
 }
 
-Measure least_of(int needs)
+Measure measure_min_of(int needs)
 {
     return measure(INFINITY, 0, needs);
 }
 
-Measure sum_of(int needs)
+Measure measure_sum_of(int needs)
 {
     return measure(0, 0, needs);
 }
 
-void add_largest(Measure *m, double x)
+void measure_add_max(Measure *m, double x)
 {
-    m->value = worse(m->value, x);
+    m->value = measure_worse(m->value, x);
     m->rows += !isnan(x);
 }
 
-void add_least(Measure *m, double x)
+void measure_add_min(Measure *m, double x)
 {
-    m->value = lesser(m->value, x);
+    m->value = measure_lesser(m->value, x);
     m->rows += !isnan(x);
 }
 
-void add_sum(Measure *m, double x)
+void measure_add(Measure *m, double x)
 {
     m->value += x;
     m->rows += !isnan(x);
@@ -67,32 +69,39 @@ static Measure both(double value, Measure a, Measure b)
     return measure(value, whole ? a.rows + b.rows : most_a + most_b, a.needs + b.needs);
 }
 
-Measure over(Measure a, Measure b)
+Measure measure_ratio(Measure a, Measure b)
 {
     return both(a.value / b.value, a, b);
 }
 
-Measure largest(Measure a, Measure b)
+Measure measure_max(Measure a, Measure b)
 {
-    return both(worse(a.value, b.value), a, b);
+    return both(measure_worse(a.value, b.value), a, b);
 }
 
-Measure least(Measure a, Measure b)
+Measure measure_min(Measure a, Measure b)
 {
-    return both(lesser(a.value, b.value), a, b);
+    return both(measure_lesser(a.value, b.value), a, b);
 }
 
-Measure sum(Measure a, Measure b)
+Measure measure_sum(Measure a, Measure b)
 {
     return both(a.value + b.value, a, b);
 }
 
-Measure times(Measure m, double factor)
+Measure measure_times(Measure m, double factor)
 {
-    return with_value(m, m.value * factor);
+    return measure_with(m, m.value * factor);
 }
 
-Measure with_value(Measure m, double value)
+Measure measure_with(Measure m, double value)
 {
     return measure(value, m.rows, m.needs);
+}
+
+double measure_median(int n, double y[])
+{
+    if (n < 1) return NAN;
+    gsl_sort(y, 1, (size_t)n);
+    return gsl_stats_median_from_sorted_data(y, 1, (size_t)n);
 }

@@ -10,30 +10,33 @@ typedef struct Measure {
 } Measure;
 
 /* The larger of both; NAN if one is NAN, so that a maximum that met NAN once stays NAN. */
-double worse(double a, double b);
-double lesser(double a, double b); /* the smaller, likewise */
+double measure_worse(double a, double b);
+double measure_lesser(double a, double b); /* the smaller, likewise */
 
 Measure measure(double value, int rows, int needs);
-Measure closed_form(double value); /* of formulas alone: stands on no rows */
+Measure measure_formula(double value); /* of formulas alone: stands on no rows */
 
 /* The largest, least or sum over `needs` rows, before the first of them is added. */
-Measure largest_of(int needs);
-Measure least_of(int needs);
-Measure sum_of(int needs);
+Measure measure_max_of(int needs);
+Measure measure_min_of(int needs);
+Measure measure_sum_of(int needs);
 
 /* One more row. */
-void add_largest(Measure *m, double x);
-void add_least(Measure *m, double x);
-void add_sum(Measure *m, double x);
+void measure_add_max(Measure *m, double x);
+void measure_add_min(Measure *m, double x);
+void measure_add(Measure *m, double x);
 
 /* Of two measures; the result stands on the rows of both. */
-Measure over(Measure a, Measure b);
-Measure largest(Measure a, Measure b);
-Measure least(Measure a, Measure b);
-Measure sum(Measure a, Measure b);
+Measure measure_ratio(Measure a, Measure b);
+Measure measure_max(Measure a, Measure b);
+Measure measure_min(Measure a, Measure b);
+Measure measure_sum(Measure a, Measure b);
 
 /* The same rows, another unit; or another function of the number. */
-Measure times(Measure m, double factor);
-Measure with_value(Measure m, double value);
+Measure measure_times(Measure m, double factor);
+Measure measure_with(Measure m, double value);
+
+/* Median of y[n]; sorts y. NAN of nothing. */
+double measure_median(int n, double y[]);
 
 #endif

@@ -11,8 +11,18 @@
 
 typedef struct Cases Cases;
 typedef struct Check Check;
+typedef struct Study Study;
 
-typedef struct Study {
+/* What a study has left in its folder, for its page. */
+typedef struct Results {
+    const Study *study;
+    const char *dir;   /* the folder */
+    bool quick;        /* made with --quick; not known to check() */
+    const Table *rows; /* NAME.csv; without rows and columns if there is none */
+    struct ResultsOwn *own;
+} Results;
+
+struct Study {
     const char *name;                        /* NAME.csv, plots/ROOM/NAME.gp */
     const char *figure;                      /* "W07-5" */
     const char *about;                       /* one line */
@@ -20,21 +30,39 @@ typedef struct Study {
     /* Adds the runs that the finished rows ask for, as a bisection does; asked again until it adds
      * none. Rows alone decide, so that a re-run adds the same ones. Or NULL. */
     void (*refine)(Cases *cases, const Table *rows, bool quick);
-    /* Tables that are not rows of runs (shape functions, drawings), written into dir; or NULL. */
-    int (*tables)(const char *dir, bool quick, Fault *fault);
-    void (*check)(Check *check, const Table *rows, const char *dir); /* or NULL: nothing claimed */
+    /* Writes tables that are not rows of runs (shape functions, points of a figure); or NULL. */
+    void (*tables)(const Results *results);
+    void (*check)(Check *check, const Results *results); /* or NULL: nothing claimed */
     int claims;         /* that check() makes, whatever the tables hold */
     bool timed;         /* it measures time: its cases run one by one, whatever --jobs says */
     const char *script; /* plots/ROOM/SCRIPT.gp, if that is not NAME */
-} Study;
+};
 
 /* Adds one run, given as the command line would: case_add(cases, "run bar --ppc %d", n). */
 void case_add(Cases *cases, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The same with a file that the run must leave beside the table: kind is "history", "particles",
- * "samples", "errors", "nodes" or "patches", file a name within the study's folder. */
-void case_add_with(Cases *cases, const char *kind, const char *file, const char *format, ...)
+/* The same with a file NAME.PART.csv that the run must leave beside the table: kind is "history",
+ * "particles", "samples", "errors", "nodes" or "patches". */
+void case_add_with(Cases *cases, const char *kind, const char *part, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
+
+/* Begins NAME.PART.csv ("": NAME.csv) with this line; it is on disk, whole, when tables() is done.
+ * Never NULL; not to be closed. */
+FILE *results_write(const Results *results, const char *part, const char *header);
+FILE *results_write_notes(const Results *results); /* NAME.var, for gnuplot */
+
+/* NAME.PART.csv, which tables() has written; not to be freed. If it is not there, all claims of the
+ * study FAIL, and this table has no rows. */
+const Table *results_part(const Results *results, const char *part);
+
+/* The file NAME.PART.csv of a run that reached its end, or NULL; to be freed. results_left: of any
+ * run. results_path: its path, likewise. */
+Table *results_file(const Results *results, const char *part);
+Table *results_left(const Results *results, const char *part);
+char *results_path(const Results *results, const char *part);
+
+/* "ok", "lost" or, of a run that is not in the table, "absent": for a column `status`. */
+const char *results_status(const Results *results, const char *part);
 
 /* A claim: measured within [low, high] is PASS, else FAIL; FAIL, too, if it stands on fewer rows
  * than it needs. id like "W07-5.mpm-exponent". */
@@ -46,25 +74,13 @@ void claim(Check *check, const char *id, const char *statement, Measure measured
 void claim_differs(Check *check, const char *id, const char *statement, Measure measured,
                    double low, double high, double seen_low, double seen_high, const char *reason);
 
-/* Reads dir/NAME.PART.csv, which tables() wrote. If it is not there, all claims of the study FAIL;
- * then, too, the table that is returned has no rows. */
-Table *claim_part(Check *check, const char *dir, const char *part);
-
 /* A number that the plot shows in its key: NAME.var holds "name = value" for gnuplot. */
 void claim_note(Check *check, const char *name, double value);
-
-/* Rows of the table that satisfy "column=value" for each of the n texts; collects column `want`.
- * Returns how many were found (at most max). Texts compare as numbers where both are numbers. */
-int select_rows(const Table *t, int n, const char *const where[], const char *want, int max,
-                double out[]);
-
-/* Does the row satisfy all of them? */
-bool row_matches(const Table *t, int row, int n, const char *const where[]);
 
 /* How many cases a study has; 0 if its page is wrong. */
 int study_case_count(const Study *study, bool quick);
 
-extern const Study *const studies[]; /* registry.c, NULL-terminated */
+extern const Study *const studies[]; /* studies.c, NULL-terminated */
 
 /* The folder below studies/ and plots/ that holds the study's files; "." if it is not registered.
  */

@@ -31,7 +31,7 @@ RunSpec rig_spec(const Case *c, const char *method, const char *integrator, cons
 bool rig_plan(Rig *r, const Case *c, const char *method, Integrator integrator, const char *more)
 {
     r->fault = (Fault){0};
-    r->spec = rig_spec(c, method, step_integrator_names[integrator], more);
+    r->spec = rig_spec(c, method, step_integrators[integrator].name, more);
     if (plan_make(&r->spec, &r->plan, &r->fault)) return false;
     r->dt = r->plan.cfl * r->plan.scene.cell / r->plan.scene.c;
     return true;
@@ -122,22 +122,55 @@ static const Param *param_of(const Method *m, const char *name)
     return NULL;
 }
 
+/* Share of v that a method replaces with parameter k (-1: none) in the middle of its range. */
+static double pic_of(const Method *m, int k)
+{
+    double par[MAX_PARAMS] = {0};
+    const Param *p = m->info.params;
+    Method own = *m;
+    for (int n = 0; p && p[n].name; n++) par[n] = n == k ? 0.5 * (p[n].min + p[n].max) : p[n].value;
+    if (m->adapt) m->adapt(par, &own);
+    return own.pic;
+}
+
+double rig_pic(const Method *m)
+{
+    return pic_of(m, -1);
+}
+
+/* The number among a method's parameters that changes this share, or NULL. */
+static const Param *share_of(const Method *m)
+{
+    for (const Param *p = m->info.params; p && p->name; p++)
+        if (!p->choices && fabs(pic_of(m, (int)(p - m->info.params)) - rig_pic(m)) > 0) return p;
+    return NULL;
+}
+
+/* The parameter of variant k > 0 and its value there; NULL: there is none. */
+static const Param *variant_of(const Method *m, int k, double *value)
+{
+    const Param *p = k == 3 ? share_of(m) : param_of(m, k == 1 ? "shape" : "order");
+    if (p) *value = k == 1 ? !(p->value > 0) : k == 2 ? 3 - 1 : 0.5 * (p->min + p->max);
+    return p;
+}
+
 bool rig_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT])
 {
-    const Param *p = k ? param_of(m, k == 1 ? "shape" : "order") : NULL;
-    const char *own = "";
-    if (k && !p) return false;
-    if (k == 1) own = p->value > 0 ? "shape=spline;" : "shape=gimp;";
-    if (k == 2) own = "order=3;";
-    snprintf(set, VARIANT_TEXT, "%s%s", own, more);
-    return true;
+    double value = 0;
+    const Param *p = k ? variant_of(m, k, &value) : NULL;
+    char text[64];
+    if (p) info_param_print(p, value, text);
+    if (p) snprintf(set, VARIANT_TEXT, "%s=%s;%s", p->name, text, more);
+    if (!k) snprintf(set, VARIANT_TEXT, "%s", more);
+    return !k || p;
 }
 
 bool rig_vary(Rig *r, int k)
 {
     const Method *m = r->plan.setup.method;
-    const Param *p = k ? param_of(m, k == 1 ? "shape" : "order") : NULL;
-    if (p) r->plan.method_par[p - m->info.params] = k == 1 ? !(p->value > 0) : 3 - 1;
+    double value = 0;
+    const Param *p = k ? variant_of(m, k, &value) : NULL;
+    if (p) r->plan.method_par[p - m->info.params] = value;
     return !k || p;
 }
 

@@ -61,8 +61,9 @@ double rig_distance(const double *a, const double *b, int count, bool L);
 #define FOR_INTEGRATORS(i) for (Integrator i = CD; i < INTEGRATORS; i++)
 
 /* Settings of variant k of a method, then `more`: 0 its defaults, 1 its other shape, 2 an odd order
- * of its filter. False: it has none such. */
-enum { VARIANTS = 3, VARIANT_TEXT = 128 };
+ * of its filter, 3 half of the share of v that its parameters let it replace. False: it has none
+ * such. */
+enum { VARIANTS = 4, VARIANT_TEXT = 128 };
 bool rig_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT]);
 
 /* The same for a scene made by hand. */
@@ -70,6 +71,9 @@ bool rig_vary(Rig *r, int k);
 
 /* Is this pair stable without being told so? With refresh: with refresh=1. */
 bool rig_valid(const Method *m, Integrator i, bool refresh);
+
+/* Share of v that the method replaces with its usual parameters. */
+double rig_pic(const Method *m);
 
 /* A reproducible random number in [lo, hi). */
 double rig_random(double lo, double hi);

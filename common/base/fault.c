@@ -1,9 +1,12 @@
 /* fault.c: failures as values, and the nearest name for "did you mean". */
 #include "fault.h"
 
+#include <ctype.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 enum { LONGEST_TEXT = sizeof((Fault *)NULL)->text, HALF = LONGEST_TEXT / 2 - 3, MOST = 1 << 14 };
 
@@ -34,25 +37,35 @@ int fault_set(Fault *f, int code, const char *format, ...)
 
 enum { LONGEST_NAME = 63 };
 
-static int min3(int a, int b, int c)
+static int min2(int a, int b)
 {
-    int ab = a < b ? a : b;
-    return ab < c ? ab : c;
+    return a < b ? a : b;
 }
 
-/* Levenshtein distance, row by row; only the first LONGEST_NAME letters of b count. */
+/* Capital or small letter: the same name is meant. */
+static bool same_letter(char a, char b)
+{
+    return tolower((unsigned char)a) == tolower((unsigned char)b);
+}
+
+/* How many letters must be changed, left out, added or exchanged with their neighbour to make b of
+ * a (optimal string alignment); only the first LONGEST_NAME letters of b count. */
 static int edit_distance(const char *a, const char *b)
 {
-    int row[LONGEST_NAME + 1], nb = (int)strnlen(b, LONGEST_NAME);
+    int rows[3][LONGEST_NAME + 1] = {{0}}, *last = rows[0], *row = rows[1], *next = rows[2];
+    const int nb = (int)strnlen(b, LONGEST_NAME);
     for (int j = 0; j <= nb; j++) row[j] = j;
     for (int i = 0; i < 2 * LONGEST_NAME && a[i]; i++) { /* nobody means a name by more */
-        int diagonal = row[0];
-        row[0] = i + 1;
+        next[0] = i + 1;
         for (int j = 0; j < nb; j++) {
-            int change = diagonal + (a[i] != b[j]);
-            diagonal = row[j + 1];
-            row[j + 1] = min3(change, row[j] + 1, row[j + 1] + 1);
+            next[j + 1] = min2(row[j] + !same_letter(a[i], b[j]), min2(row[j + 1], next[j]) + 1);
+            if (i && j && same_letter(a[i], b[j - 1]) && same_letter(a[i - 1], b[j]))
+                next[j + 1] = min2(next[j + 1], last[j - 1] + 1);
         }
+        int *spare = last;
+        last = row;
+        row = next;
+        next = spare;
     }
     return row[nb];
 }
@@ -62,11 +75,12 @@ const char *fault_nearest_name(const char *got, const char *const *names, int n)
     const char *best = NULL;
     int least = 0;
     for (int k = 0; k < n; k++) {
-        int begins = *got && strncmp(got, names[k], strlen(got)) == 0; /* an abbreviation */
-        int distance = begins ? 1 : edit_distance(got, names[k]);
-        if (best && distance >= least) continue;
+        const int distance = edit_distance(got, names[k]);
+        const bool begins = *got && strncasecmp(got, names[k], strlen(got)) == 0;
+        const int own = begins ? min2(distance, 1) : distance; /* an abbreviation is near */
+        if (best && own >= least) continue;
         best = names[k];
-        least = distance;
+        least = own;
     }
     return best;
 }

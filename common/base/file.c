@@ -138,3 +138,19 @@ void file_abandon(FILE *f, const char *path)
     fclose(f);
     if (!is_special(path)) unlink(temporary);
 }
+
+int file_make_folder(const char *path, Fault *fault)
+{
+    char part[PATH_MAX];
+    int failed = strlen(path) >= sizeof part;
+    if (failed) return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(ENAMETOOLONG));
+    strcpy(part, path);
+    for (char *c = part + 1; !failed && *c; c++) {
+        if (*c != '/') continue;
+        *c = '\0';
+        failed = mkdir(part, 0777) != 0 && errno != EEXIST;
+        *c = '/';
+    }
+    failed = failed || (mkdir(part, 0777) != 0 && errno != EEXIST);
+    return failed ? fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno)) : 0;
+}

@@ -2,6 +2,7 @@
  * The program never calls setlocale, so strtod and printf use the "C" locale. */
 #include "info.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,10 +21,18 @@ int info_number_parse(const char *text, double *value)
 
 void info_number_print(double x, char out[64])
 {
-    for (int digits = 15; digits <= 17; digits++) {
+    /* 15 digits read back unless rounding made them, but for numbers too small to have that many */
+    for (int digits = fabs(x) < DBL_MIN ? 1 : 15; digits <= 17; digits++) {
         snprintf(out, 64, "%.*g", digits, x);
         if (strtod(out, NULL) == x) return;
     }
+}
+
+void info_number_write(FILE *out, double x)
+{
+    char text[64] = "";
+    if (!isnan(x)) info_number_print(x, text);
+    fputs(text, out);
 }
 
 /* The k-th word of "a|b|c" and its length; 0 past the end. */

@@ -3,6 +3,7 @@
 #define MPMLAB_INFO_H
 
 #include <stddef.h>
+#include <stdio.h>
 
 /* One parameter. Numbers lie in [min, max]; if `choices` is set ("a|b|c") the value is the index of
  * the chosen word. The list of a problem or method ends with a Param whose name is NULL. */
@@ -14,10 +15,12 @@ typedef struct Param {
 } Param;
 
 typedef struct Info {
-    const char *name;   /* as typed on the command line */
-    const char *label;  /* as printed in figures */
-    const char *about;  /* one line */
-    const char *source; /* where it is published */
+    const char *name;    /* as typed on the command line */
+    const char *label;   /* as printed in figures */
+    const char *about;   /* one line */
+    const char *source;  /* where it is published */
+    const char *formula; /* problem: the exact motion; method: the transfers; NULL: none */
+    const char *scale;   /* what errors of a problem are divided by, or NULL */
     const Param *params;
 } Info;
 
@@ -31,7 +34,9 @@ void info_param_print(const Param *p, double value, char out[64]);
 /* The whole text as one finite decimal number: 0, or -1 and *value untouched. */
 int info_number_parse(const char *text, double *value);
 
-/* Shortest decimal that reads back to exactly x (at most %.17g). */
+/* Shortest decimal that reads back to exactly x (at most %.17g); written to a file,
+ * where NAN is nothing. */
 void info_number_print(double x, char out[64]);
+void info_number_write(FILE *out, double x);
 
 #endif

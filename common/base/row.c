@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include "info.h"
 
 typedef struct Column {
     const char *name;
@@ -102,9 +103,9 @@ int row_cell(const Row *row, int k, char out[ROW_TEXT])
     const void *at = (const char *)row + columns[k].offset;
     if (columns[k].is_text) return print_text(at, out);
     double x = *(const double *)at;
-    if (!isnan(x)) return snprintf(out, 32, "%.17g", x);
     out[0] = '\0';
-    return 0;
+    if (!isnan(x)) info_number_print(x, out);
+    return (int)strlen(out);
 }
 
 /* All columns fit: texts hold under 900 characters, numbers under 30 each. */

@@ -22,7 +22,8 @@ typedef struct Row {
 /* A row with every number NAN and every text empty. */
 Row row_empty(void);
 
-/* One line of comma-separated text without newline; numbers as %.17g. Returns its length. */
+/* One line of comma-separated text without newline; numbers as the shortest decimal that reads
+ * back. Returns its length. */
 int row_header(char out[ROW_TEXT]);
 int row_print(const Row *row, char out[ROW_TEXT]);
 

@@ -26,7 +26,8 @@ typedef struct RunSpec {
     const char *errors;                      /* every point's error at the end, or NULL */
     const char *patches;                     /* polygons of cells or elements, or NULL */
     const char *vtk;                         /* folder for snapshots, or NULL */
-    int every;                               /* steps between snapshots */
+    int every;                               /* steps between snapshots; */
+    double every_s;                          /*   or time between them [s] */
 } RunSpec;
 
 /* Adds NAME=VALUE to the settings (replacing an earlier NAME). 0, or a fault with code 2. */

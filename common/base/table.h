@@ -33,6 +33,9 @@ void table_put_cell(FILE *out, const char *text);
 /* Can path be written, for all that can be told without doing it? 0 or a fault with code 1. */
 int file_check(const char *path, Fault *fault);
 
+/* Makes a folder and those above it. 0 or a fault. */
+int file_make_folder(const char *path, Fault *fault);
+
 /* Opens a temporary file beside path; file_commit flushes, checks and renames it into place, so
  * that path is either the whole new file or what it was. Both report faults with code 1. */
 FILE *file_begin(const char *path, Fault *fault);

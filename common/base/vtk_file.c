@@ -1,6 +1,7 @@
 /* vtk_file.c: see vtk_file.h. VTK's XML format: every appended array is a UInt64 with its length in
  * bytes and then its bytes, encoded as one; offsets count encoded characters. */
 #include <stdlib.h>
+#include "info.h"
 #include "table.h"
 #include "vtk_file.h"
 
@@ -96,14 +97,16 @@ static void declare_cells(Writer *w, const VtkData *d, const int64_t *count)
 
 static void write_all(Writer *w, const VtkData *d, const int64_t *count)
 {
+    char time[64];
+    info_number_print(d->t, time);
     const int little = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, cloud = d->cells < 0;
     fprintf(w->out,
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" "
             "header_type=\"UInt64\">\n<PolyData>\n<FieldData><DataArray type=\"Float64\" "
-            "Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">%.17g</DataArray>"
+            "Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">%s</DataArray>"
             "</FieldData>\n<Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" "
             "NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"%lld\">\n",
-            little ? "LittleEndian" : "BigEndian", d->t, (long long)d->points,
+            little ? "LittleEndian" : "BigEndian", time, (long long)d->points,
             (long long)(cloud ? d->points : 0), (long long)(cloud ? 0 : d->cells));
     declare_all(w, "PointData", d->on_point, d->points);
     declare_all(w, "CellData", d->on_cell, d->cells);
@@ -131,13 +134,16 @@ int vtk_file_write(const char *path, const VtkData *data, Fault *fault)
 int vtk_file_collect(const char *path, const char *stem, int n, const long step[], const double t[],
                      Fault *fault)
 {
+    char time[64];
     FILE *out = file_begin(path, fault);
     if (!out) return FAULT_MACHINE;
     fputs("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n",
           out);
-    for (int k = 0; k < n; k++)
-        fprintf(out, "<DataSet timestep=\"%.17g\" part=\"0\" file=\"%s_%06ld.vtp\"/>\n", t[k], stem,
+    for (int k = 0; k < n; k++) {
+        info_number_print(t[k], time);
+        fprintf(out, "<DataSet timestep=\"%s\" part=\"0\" file=\"%s_%06ld.vtp\"/>\n", time, stem,
                 step[k]);
+    }
     fputs("</Collection>\n</VTKFile>\n", out);
     return file_commit(out, path, fault);
 }

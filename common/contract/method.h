@@ -43,6 +43,7 @@ enum {
 
 /* 64 particles: pointers into the arrays of sim.h; L, u and w are NULL where not kept. */
 typedef struct Chunk {
+    const double *par; /* values of the method's parameters, in the order of Info.params */
     double *x[DIM], *v[DIM], *F[NMAT], *L[NMAT], *u[DIM], *w[DIM];
     const double *X[DIM], *m, *V0;
     const double *normal[DIM]; /* reference normals of surface points, or NULL */
@@ -85,7 +86,7 @@ typedef struct Method {
     bool keeps_L;            /* the particle carries its velocity gradient from step to step */
     bool affine;             /* payload fills B */
     bool moments;            /* update also reads, and B holds, moments of v about the particle */
-    bool pic;                /* update replaces v by the grid's (for the walls' momentum) */
+    double pic; /* share of v_p that update replaces by sum_i S v_i: 0 FLIP, 1 PIC and filters */
     bool turns;              /* keeps angular momentum, sum m (x x v) + its moments */
     bool linear_exact;       /* projects linear fields exactly from any particle set */
     bool surface;            /* needs surface particles: */

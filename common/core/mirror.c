@@ -42,12 +42,14 @@ static void unfold_node(Sim *sim, const Mirror *m, size_t ghost, size_t image, i
                         void *own)
 {
     Grid *g = &sim->g;
-    const double dt = *(const double *)own;
+    const Given *given = own;
     if (ghost == image) return;
     const double mass = g->node[ghost][1 + DIM];
     g->node[ghost] = gather_parity(m->axis) * g->node[image];
-    const int given = sim->method.pic ? 0 : DIM; /* v, or a */
-    for (int a = 0; a < DIM; a++) g->impulse[image_row][a] += dt * mass * g->node[ghost][given + a];
+    for (int a = 0; a < DIM; a++) {
+        g->impulse[image_row][a] += given->a_share * mass * g->node[ghost][DIM + a];
+        g->impulse[image_row][a] += given->v_share * mass * g->node[ghost][a];
+    }
     if (g->mass) g->mass[ghost] = 0;
 }
 
@@ -99,9 +101,9 @@ void mirror_fold(Sim *sim)
     mirror_visit_pairs(sim, false, fold_node, NULL);
 }
 
-void mirror_unfold(Sim *sim, double dt)
+void mirror_unfold(Sim *sim, Given given)
 {
-    mirror_visit_pairs(sim, true, unfold_node, &dt);
+    mirror_visit_pairs(sim, true, unfold_node, &given);
 }
 
 size_t mirror_image(const Grid *g, const int index[DIM], double sign[DIM])

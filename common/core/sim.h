@@ -115,6 +115,11 @@ void sim_sort(Sim *sim);
 /* G = 0 for particles on nodes, whose slope is not the tent's; returns true; on_node.c. */
 bool clear_slopes_on_nodes(Stencil *stencil);
 
+/* What particles receive from a node of mass m in one pass: momentum m (a_share a + v_share v). */
+typedef struct Given {
+    double a_share, v_share; /* [s] dt (1 - pic), [-] pic */
+} Given;
+
 /* Symmetry: ghosts beyond each mirror line are added to their images (fold, after a deposit; body
  * force too) and filled from them (unfold, before a gather); mirror.c. All by parity per component,
  * so that no method knows of it. unfold also books what the ghosts' share of momentum received. */
@@ -123,7 +128,7 @@ typedef void PairVisit(Sim *sim, const Mirror *m, size_t ghost, size_t image, in
                        void *own);
 void mirror_visit_pairs(Sim *sim, bool back, PairVisit *visit,
                         void *own); /* ghosts, their images */
-void mirror_unfold(Sim *sim, double dt);
+void mirror_unfold(Sim *sim, Given given);
 void mirror_spans(Grid *g);
 void mirror_wall_images(
     Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */
@@ -132,7 +137,7 @@ bool mirror_is_ghost_row(const Grid *g, int row,
 
 /* Which components unilateral walls hold at node i of a row, whose p and f are those of the
  * equations of motion over dt [s]; solve.c. */
-unsigned grid_stops(const Grid *g, int row, int i, double dt);
+unsigned sim_stops(const Grid *g, int row, int i, double dt);
 
 /* Node number of grid index `index`, or of its image if it lies beyond a symmetry line: then
  * sign[a] is the parity of component a, else 1. NOWHERE outside the live nodes. */
@@ -151,7 +156,10 @@ static inline Chunk sim_chunk(const Sim *sim, int k)
 {
     const Particles *p = &sim->p;
     const size_t at = (size_t)k * CHUNK;
-    Chunk c = {.m = p->field[AT_M] + at, .V0 = p->field[AT_VOL] + at, .id = p->id + at};
+    Chunk c = {.par = sim->setup->method_par,
+               .m = p->field[AT_M] + at,
+               .V0 = p->field[AT_VOL] + at,
+               .id = p->id + at};
     for (int d = 0; d < DIM; d++) {
         c.X[d] = p->field[AT_X0 + d] + at;
         c.x[d] = p->field[AT_X + d] + at;

@@ -27,8 +27,33 @@ static const struct {
     [USF] = {false, {{true, false, TAKE_F, 0}, {true, true, TAKE_V | TAKE_X, 0}}},
 };
 
-const char *const step_integrator_names[INTEGRATORS + 1] = {"cd",  "uvf", "musl",
-                                                            "usl", "usf", NULL};
+const Info step_integrators[INTEGRATORS] = {
+    [CD] = {.name = "cd",
+            .label = "CD",
+            .about = "central differences: one projection a step, half the first acceleration",
+            .source = "W11 4.6, 4.7",
+            .formula = "v += dt a; x += dt S v, F += dt L F with the accelerated grid velocity"},
+    [UVF] = {.name = "uvf",
+             .label = "UVF",
+             .about = "update velocity first: x and F move with the velocities projected once more",
+             .source = "Wallstedt & Guilkey 2008",
+             .formula = "v_p += dt S a, project v_p again, x += dt S v, F += dt L F"},
+    [MUSL] = {.name = "musl",
+              .label = "MUSL",
+              .about = "modified update stress last: F alone takes the velocities projected again",
+              .source = "Sulsky et al. 1995",
+              .formula = "v_p += dt S a, x += dt S v, project v_p again, F += dt L F"},
+    [USL] = {.name = "usl",
+             .label = "USL",
+             .about = "update stress last: cd without the half first step",
+             .source = "Bardenhagen 2002",
+             .formula = "v += dt a; x += dt S v, F += dt L F with the accelerated grid velocity"},
+    [USF] = {.name = "usf",
+             .label = "USF",
+             .about = "update stress first: F takes the projected velocities before the forces",
+             .source = "Bardenhagen 2002",
+             .formula = "F += dt L F with the projected v, then v += dt a, x += dt S v"},
+};
 
 bool integrator_half_first(Integrator i)
 {

@@ -5,8 +5,8 @@
 #include "common/contract/solver.h"
 #include "sim.h"
 
-/* Names as typed: "cd", "uvf", "musl", "usl", "usf". */
-extern const char *const step_integrator_names[INTEGRATORS + 1];
+/* What each integrator is called and does, in the order of Integrator. */
+extern const Info step_integrators[INTEGRATORS];
 
 /* Does its first step take half the acceleration, so that velocities live half a step after t? */
 bool integrator_half_first(Integrator i);

@@ -1,7 +1,8 @@
 /* engine.c: this dimension as the program sees it: the one symbol that stays visible. */
 #include <math.h>
 #include <string.h>
-#include "plan.h"
+#include "settings.h"
+#include "common/core/step.h"
 
 static int resolve(RunSpec *spec, Fault *fault)
 {
@@ -9,21 +10,39 @@ static int resolve(RunSpec *spec, Fault *fault)
     return plan_make(spec, &plan, fault);
 }
 
+static void say_param(const Param *p, FILE *out)
+{
+    char value[64];
+    info_param_print(p, p->value, value);
+    fprintf(out, "%s\t%s\t%s\t%s%s%s%s\t%s\n", p->name, value, *p->unit ? p->unit : "-", p->meaning,
+            p->choices ? " (" : "", p->choices ? p->choices : "", p->choices ? ")" : "", p->source);
+}
+
 static void say_params(const Param *p, FILE *out)
 {
-    for (; p && p->name; p++) {
-        char value[64];
-        info_param_print(p, p->value, value);
-        fprintf(out, "%s\t%s\t%s\t%s%s%s%s\t%s\n", p->name, value, *p->unit ? p->unit : "-",
-                p->meaning, p->choices ? " (" : "", p->choices ? p->choices : "",
-                p->choices ? ")" : "", p->source);
-    }
+    for (; p && p->name; p++) say_param(p, out);
 }
 
 static void say_info(const Info *info, const char *kind, FILE *out)
 {
     fprintf(out, "%s\t%s\t%dD\t%s\nsource\t%s\n", kind, info->name, DIM, info->about, info->source);
+    if (info->formula) fprintf(out, "formula\t%s\n", info->formula);
+}
+
+static void say_header(FILE *out)
+{
     fprintf(out, "parameter\tdefault\tunit\tmeaning\tsource\n");
+}
+
+/* What errors are divided by, as a formula and as the number that it is by default. */
+static void say_scale(const Info *info, const Scene *scene, FILE *out)
+{
+    if (!info->scale)
+        fprintf(out, "errors over\tnothing: no exact solution\n");
+    else if (scene->problem->projection)
+        fprintf(out, "errors over\t%s\n", info->scale);
+    else
+        fprintf(out, "errors over\t%s\t%.9g m\n", info->scale, scene->error_scale);
 }
 
 static void say_problem(const Problem *p, FILE *out)
@@ -34,6 +53,8 @@ static void say_problem(const Problem *p, FILE *out)
     if (plan_make(&spec, &plan, NULL)) return;
     const Material *m = &plan.scene.mat;
     say_info(&p->info, "problem", out);
+    say_scale(&p->info, &plan.scene, out);
+    say_header(out);
     fprintf(out, "cells\t%g\t1/m\tcells per unit length\t\n", p->cells);
     fprintf(out, "ppc\t%g\t-\tparticles per cell\t\n", p->ppc);
     if (!p->projection) {
@@ -41,7 +62,8 @@ static void say_problem(const Problem *p, FILE *out)
         fprintf(out, "t_end\t%.9g\ts\tend of the run\t\n", plan.scene.t_end);
     }
     say_params(p->info.params, out);
-    say_params(settings_common, out);
+    for (int k = 0; k < RUN_PARAMS; k++)
+        if (settings_act_on_problem(k, p)) say_param(&settings_common[k], out);
     if (p->projection) return;
     fprintf(out, "wave speed\t%.9g\tm/s\tc in dt0 = CFL h/c\t\n", plan.scene.c);
     fprintf(out, "wave speed\t%.9g\tm/s\tbar, sqrt(E/rho)\t\n", material_wave_speed_bar(m));
@@ -49,6 +71,49 @@ static void say_problem(const Problem *p, FILE *out)
             material_wave_speed_p(m));
     fprintf(out, "wave speed\t%.9g\tm/s\tupper bound, sqrt((lambda + 3 mu)/rho)\tW11 eq 33\n",
             material_wave_speed_bound(m));
+}
+
+static void say_integrators(unsigned set, const char *more, FILE *out)
+{
+    if (!set) return;
+    fprintf(out, "integrators\t");
+    for (int i = 0, n = 0; i < INTEGRATORS; i++)
+        if (set >> i & 1) fprintf(out, "%s%s", n++ ? " " : "", step_integrators[i].name);
+    fprintf(out, "\t%s\n", more);
+}
+
+/* m: NULL for a mesh solver. */
+static void say_method(const Info *info, const Method *m, FILE *out)
+{
+    char usual[64];
+    snprintf(usual, sizeof usual, "default %s", step_integrators[m ? m->integrator[DIM] : CD].name);
+    say_info(info, "method", out);
+    say_integrators(m ? m->valid : 1u << CD, usual, out);
+    if (m) say_integrators(m->valid_fresh & ~m->valid, "with --set refresh=1", out);
+    say_header(out);
+    say_params(info->params, out);
+    for (int k = 0; k < RUN_PARAMS; k++)
+        if (settings_act_on_method(k, m)) say_param(&settings_common[k], out);
+}
+
+/* The methods that an integrator is stable with. */
+static void say_integrator(int i, FILE *out)
+{
+    say_info(&step_integrators[i], "integrator", out);
+    for (int fresh = 0; fresh < 2; fresh++) {
+        int n = 0;
+        for (const Method *const *m = methods; *m; m++)
+            if ((fresh ? (*m)->valid_fresh & ~(*m)->valid : (*m)->valid) >> i & 1)
+                fprintf(out, "%s%s", n++ ? " " : "methods\t", (*m)->info.name);
+        if (n) fprintf(out, "\t%s\n", fresh ? "with --set refresh=1" : "");
+    }
+}
+
+static const Method *plugin_named(const char *name)
+{
+    for (const Method *const *m = methods; *m; m++)
+        if (strcmp((*m)->info.name, name) == 0) return *m;
+    return NULL;
 }
 
 static int describe(const char *name, FILE *out)
@@ -60,8 +125,12 @@ static int describe(const char *name, FILE *out)
         }
     for (const Info *const *m = method_infos; *m; m++)
         if (strcmp((*m)->name, name) == 0) {
-            say_info(*m, "method", out);
-            say_params((*m)->params, out);
+            say_method(*m, plugin_named(name), out);
+            return 0;
+        }
+    for (int i = 0; i < INTEGRATORS; i++)
+        if (strcmp(step_integrators[i].name, name) == 0) {
+            say_integrator(i, out);
             return 0;
         }
     return -1;
@@ -87,10 +156,16 @@ static int weight(const char *name, double x, double l, double *S, double *G)
     return -1;
 }
 
+static const Info *const integrator_infos[] = {&step_integrators[CD],   &step_integrators[UVF],
+                                               &step_integrators[MUSL], &step_integrators[USL],
+                                               &step_integrators[USF],  NULL};
+
 const Engine ENGINE_NAME = {
     .dim = DIM,
     .problems = problem_infos,
     .methods = method_infos,
+    .integrators = integrator_infos,
+    .settings = &settings_common,
     .resolve = resolve,
     .run = run_spec,
     .describe = describe,

@@ -14,8 +14,10 @@ struct Solver; /* solver.h: whatever advances points in time: the particle core,
 
 typedef struct Engine {
     int dim;
-    const Info *const *problems; /* NULL-terminated, in registry order */
-    const Info *const *methods;  /* NULL-terminated, in registry order */
+    const Info *const *problems;    /* NULL-terminated, in registry order */
+    const Info *const *methods;     /* NULL-terminated, in registry order */
+    const Info *const *integrators; /* NULL-terminated, the same in every dimension */
+    const Param *const *settings;   /* of every run, whatever its problem and method */
 
     /* Checks spec and fills every default, so that `spec` reproduces the run by itself. 0 or a
      * fault (code 2: unknown name or parameter, value out of range, refused pair). */
@@ -25,7 +27,8 @@ typedef struct Engine {
      * fault (code 1: memory or disk). Writes the spec's output files whole or not at all. */
     int (*run)(const RunSpec *spec, Row *row, Fault *fault);
 
-    /* Parameters, defaults, wave speeds of a problem or method as text. 0, or -1 if unknown. */
+    /* What a problem, method or integrator is, as text: formula, error scale, integrators,
+     * parameters and the run settings that act on it, wave speeds. 0, or -1 if unknown. */
     int (*describe)(const char *name, FILE *out);
 
     /* 1D weights S [-] and gradients G [1/m] that a particle at x with half width l (cell size 1,

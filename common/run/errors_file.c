@@ -30,13 +30,14 @@ int output_errors(const char *path, const Scene *scene, const Points *p, double 
     for (int id = 0; out && id < count; id++) {
         const int k = slot[id];
         if (k < 0) continue;
-        fprintf(out, "%d,%.17g,", id, p->X[0][k]);
-        if (DIM > 1) fprintf(out, "%.17g", p->X[DIM > 1][k]);
-        fputs(",", out);
-        if (!isnan(s->w[k])) fprintf(out, "%.17g", s->w[k]);
-        fprintf(out, ",%.17g,", p->V0[k]);
-        if (DIM > 2) fprintf(out, "%.17g", p->X[DIM - 1][k]);
-        fputs("\n", out);
+        const double cells[] = {p->X[0][k], DIM > 1 ? p->X[DIM > 1][k] : NAN, s->w[k], p->V0[k],
+                                DIM > 2 ? p->X[DIM - 1][k] : NAN};
+        fprintf(out, "%d", id);
+        for (int c = 0; c < 5; c++) {
+            putc(',', out);
+            info_number_write(out, cells[c]);
+        }
+        putc('\n', out);
     }
     free(slot);
     return out ? file_commit(out, path, fault) : FAULT_MACHINE;

@@ -6,7 +6,7 @@
 
 static void number(FILE *out, double x, const char *after)
 {
-    if (!isnan(x)) fprintf(out, "%.17g", x);
+    info_number_write(out, x);
     fputs(after, out);
 }
 

@@ -54,7 +54,8 @@ static void run_steps(Loop *l)
     l->momentum = before.mv;
     Moment m = {.dt = l->dt, .error_linf = errors_now(l, 0).linf};
     measure_state(l, &m);
-    shoot(l, 0, false);
+    if (l->shots.dir)
+        l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
     for (; l->done < l->n && !grown(l) && !l->code; l->done++) {
         const double t = (double)l->done * l->dt;
         take_step(l, t);
@@ -193,7 +194,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     int code = plan_make(&own, &plan, fault);
     if (code) return code;
     *row = row_empty();
-    l.shots = (Snapshots){.dir = own.vtk, .every = own.every};
+    l.shots = (Snapshots){.dir = own.vtk, .every = own.every, .every_s = own.every_s};
     l.fault = fault;
     report_inputs(&own, &plan, row);
     if (spec_files_check(spec, fault) || (spec->vtk && snapshot_check(spec->vtk, fault)))

@@ -36,21 +36,25 @@ static const Param run_params[] = {
 
 const Param *const settings_common = run_params;
 
+static int unknown_integrator(const char *got, Fault *fault)
+{
+    const char *names[INTEGRATORS];
+    for (int i = 0; i < INTEGRATORS; i++) names[i] = step_integrators[i].name;
+    return fault_set(fault, FAULT_USAGE,
+                     "--integrator: got '%s', takes cd, uvf, musl, usl or usf; did you mean '%s'?",
+                     got, fault_nearest_name(got, names, INTEGRATORS));
+}
+
 int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault)
 {
     Setup *s = &plan->setup;
     const Method *m = s->method;
     if (!spec->integrator[0])
-        strcpy(spec->integrator, step_integrator_names[m ? m->integrator[DIM] : CD]);
+        strcpy(spec->integrator, step_integrators[m ? m->integrator[DIM] : CD].name);
     while (s->integrator < INTEGRATORS &&
-           strcmp(spec->integrator, step_integrator_names[s->integrator]))
+           strcmp(spec->integrator, step_integrators[s->integrator].name))
         s->integrator++;
-    if (s->integrator == INTEGRATORS)
-        return fault_set(
-            fault, FAULT_USAGE,
-            "--integrator: got '%s', takes cd, uvf, musl, usl or usf; did you mean '%s'?",
-            spec->integrator,
-            fault_nearest_name(spec->integrator, step_integrator_names, INTEGRATORS));
+    if (s->integrator == INTEGRATORS) return unknown_integrator(spec->integrator, fault);
     s->refresh = run[P_REFRESH] > 0;
     if (!m) {
         if (s->integrator == CD) return 0;
@@ -67,11 +71,30 @@ int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fa
 }
 
 /* Do the method's stencils widen with the particles, with these parameters? */
-static bool has_boxes(const Plan *plan)
+static bool has_boxes(const Method *m, const double par[])
 {
-    Method own = *plan->setup.method;
-    if (own.adapt) own.adapt(plan->method_par, &own);
+    Method own = *m;
+    if (own.adapt) own.adapt(par, &own);
     return own.width(1) > own.width(0.5);
+}
+
+bool settings_act_on_problem(int k, const Problem *p)
+{
+    const bool still = k == P_LAYOUT || k == P_DIM || k == P_REPEAT || k == P_PARTICLES;
+    return (still || !p->projection) && (DIM == 1 || k != P_PARTICLES);
+}
+
+bool settings_act_on_method(int k, const Method *m)
+{
+    const unsigned all = (1u << INTEGRATORS) - 1;
+    double par[MAX_PARAMS] = {0};
+    if (k == P_STEPS || k == P_STOP || k == P_REPEAT || k == P_DIM) return true;
+    if (!m) return false; /* a mesh */
+    for (const Param *p = m->info.params; p && p->name; p++) par[p - m->info.params] = p->value;
+    if (k == P_PARTICLES) return DIM == 1;
+    if (k == P_ALLOW) return m->valid != all;
+    if (k == P_REFRESH) return m->keeps_L;
+    return k == P_DOMAIN ? has_boxes(m, par) : true;
 }
 
 /* Particle boxes and the update of F, which are the run's choice like the integrator. */
@@ -81,7 +104,7 @@ int settings_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *
     s->domain = (Domain)run[P_DOMAIN];
     s->strain = (StrainUpdate)run[P_STRAIN];
     s->subcycles = (int)run[P_SUBCYCLES];
-    if (s->domain != DOMAIN_FXX && !(s->method && has_boxes(plan)))
+    if (s->domain != DOMAIN_FXX && !(s->method && has_boxes(s->method, plan->method_par)))
         return fault_set(fault, FAULT_USAGE,
                          "--set domain: got '%s', takes fxx with %s, which sees no particle's size",
                          spec_get(spec, "domain"), spec->method);

@@ -26,4 +26,9 @@ enum {
 int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault);
 int settings_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *fault);
 
+/* Does setting k change anything on this problem with some method; with this method (NULL: a mesh)
+ * at its default parameters on some problem? */
+bool settings_act_on_problem(int k, const Problem *p);
+bool settings_act_on_method(int k, const Method *m);
+
 #endif

@@ -1,6 +1,7 @@
 /* snapshot.c: see snapshot.h. */
 #include "snapshot.h"
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -208,20 +209,41 @@ static int shoot_patches(Snapshots *s, const Scene *scene, const Solver *solver,
     return code;
 }
 
+/* By steps or by time; a time belongs to the first step that reaches it. */
+static bool is_due(Snapshots *s, long step, double t)
+{
+    if (s->every > 0 && step % s->every == 0) return true;
+    if (!(s->every_s > 0)) return false;
+    const long slot = (long)floor(t / s->every_s * (1 + 1e-12)), last = s->slot;
+    s->slot = slot;
+    return slot > last;
+}
+
 int snapshot_take(Snapshots *s, const Scene *scene, const Solver *solver, const void *self,
                   long step, double t, bool last, Fault *fault)
 {
     const int n = s->n[SHOT_PARTICLES];
-    const bool due = last || step == 0 || (s->every > 0 && step % s->every == 0);
+    const bool due = last || step == 0 || is_due(s, step, t);
     const bool taken = n > 0 && s->step[SHOT_PARTICLES][n - 1] == step;
-    const bool grid = step > 0 || scene->problem->projection;
     int code = 0;
     if (due && !taken) {
         code = shoot_points(s, scene, solver, self, step, t, fault);
-        if (!code && solver->nodes && grid) code = shoot_nodes(s, solver, self, step, t, fault);
-        if (!code && solver->patches && DIM > 1 && (solver->elements || grid))
+        if (!code && solver->nodes) code = shoot_nodes(s, solver, self, step, t, fault);
+        if (!code && solver->patches && DIM > 1)
             code = shoot_patches(s, scene, solver, self, step, t, fault);
     }
     for (int kind = 0; kind < SHOT_KINDS && !code; kind++) code = list_it(s, kind, last, fault);
+    return code;
+}
+
+int snapshot_start(Snapshots *s, const Setup *setup, const Solver *solver, const void *self,
+                   Fault *fault)
+{
+    void *other = solver->project ? solver->make(setup, fault) : NULL;
+    if (solver->project && !other) return fault->code;
+    if (other) solver->project(other); /* a failure shows in the numbers */
+    const int code =
+        snapshot_take(s, setup->scene, solver, other ? other : self, 0, 0, false, fault);
+    if (other) solver->free(other);
     return code;
 }

@@ -3,6 +3,7 @@
  * (eq 24 lacks the sign and has sigma_i). The value at a point is the mean of the good nodes'
  * linear functions there, weights S. Full cells have one point. */
 #include <math.h>
+#include <string.h>
 #include "wls.h"
 #include "common/base/polygon.h"
 
@@ -63,6 +64,12 @@ typedef struct Shape {
     double S[CORNERS], G[CORNERS][DIM];
 } Shape;
 
+/* The middle of a full cell, and the rows of its corners in M. */
+typedef struct Middle {
+    Shape shape;
+    Half row[CORNERS];
+} Middle;
+
 static inline void shape_at(const double xi[DIM], Shape *out)
 {
     for (int k = 0; k < CORNERS; k++) {
@@ -118,15 +125,50 @@ static inline void add_point(Sim *sim, const size_t corner[CORNERS], const Shape
     }
 }
 
-/* The same point's share of M a0 and of the row sums. */
-static inline void multiply_point(Wls *w, const size_t corner[CORNERS], const Shape *shape,
-                                  double mass)
+/* 1 and `scale` (x - x_k) in the lanes of a row of M: of x [cells] and corner k of a cell. */
+static inline void row_lanes(const double x[DIM], double scale, Half out[CORNERS])
 {
-    Line mean = {0}, add = {0};
-    for (int k = 0; k < CORNERS; k++) mean += shape->S[k] * w->inertia[corner[k]];
-    for (int a = 0; a < DIM; a++) add[I_MA + a] = mass * mean[I_A + a];
-    add[I_M] = mass;
-    for (int k = 0; k < CORNERS; k++) w->inertia[corner[k]] += shape->S[k] * add;
+    for (int k = 0; k < CORNERS; k++) {
+        double lane[LANES / 2] = {[I_SUM] = 1};
+        for (int d = 0; d < DIM; d++) lane[I_FIRST + d] = scale * (x[d] - (k >> d & 1));
+        memcpy(&out[k], lane, sizeof lane);
+    }
+}
+
+/* The share of one point, of `mass`, in the products with M. */
+static inline void multiply_point(Wls *w, const size_t corner[CORNERS], const double xi[DIM],
+                                  const Shape *shape, double mass)
+{
+    Half mean = {0}, row[CORNERS];
+    for (int k = 0; k < CORNERS; k++) mean += shape->S[k] * w->inertia[corner[k]].factor;
+    mean *= mass;
+    row_lanes(xi, 1, row);
+    for (int k = 0; k < CORNERS; k++) {
+        w->inertia[corner[k]].product += shape->S[k] * mean;
+        w->inertia[corner[k]].row += shape->S[k] * mass * row[k];
+    }
+}
+
+/* A full cell of constant density: M is its mass times a product over the axes of 1/3 (the same
+ * node) and 1/6 (the two nodes), the integrals of the tents' products. */
+static inline void multiply_full(Wls *w, const size_t corner[CORNERS], const Half row[CORNERS],
+                                 double mass)
+{
+    double scale = mass;
+    Half f[CORNERS];
+    for (int d = 0; d < DIM; d++) scale /= 6;
+    for (int k = 0; k < CORNERS; k++) f[k] = scale * w->inertia[corner[k]].factor;
+    for (int d = 0; d < DIM; d++)
+        for (int k = 0; k < CORNERS; k++) {
+            if (k >> d & 1) continue;
+            const Half both = f[k] + f[k | 1 << d];
+            f[k] += both;
+            f[k | 1 << d] += both;
+        }
+    for (int k = 0; k < CORNERS; k++) {
+        w->inertia[corner[k]].product += f[k];
+        w->inertia[corner[k]].row += mass / CORNERS * row[k];
+    }
 }
 
 static inline void take_point(Sim *sim, const size_t corner[CORNERS], const double xi[DIM],
@@ -138,26 +180,30 @@ static inline void take_point(Sim *sim, const size_t corner[CORNERS], const doub
     else if (task == INTEGRATE)
         add_point(sim, corner, shape, value, volume);
     else
-        multiply_point(wls_of(sim), corner, shape, value[Q_RHO] * volume * pow(sim->dx, DIM));
+        multiply_point(wls_of(sim), corner, xi, shape, value[Q_RHO] * volume * pow(sim->dx, DIM));
 }
 
-/* A full cell has one point, in the middle; its mass is kept for the products. */
-static inline void take_full(Sim *sim, const size_t corner[CORNERS], const Shape *middle, Task task,
+/* A full cell has one point, in the middle; its mass is kept for the products, which have that
+ * point, too, unless velocities are corrected: their factor 3/2 is that of the whole matrix. */
+static inline void take_full(Sim *sim, const size_t corner[CORNERS], const Middle *m, Task task,
                              long *lost)
 {
     Wls *w = wls_of(sim);
     Line value;
     if (task == MULTIPLY) {
-        multiply_point(w, corner, middle, w->cell_mass[corner[0]]);
+        if (w->sharpened)
+            multiply_full(w, corner, m->row, w->cell_mass[corner[0]]);
+        else
+            multiply_point(w, corner, centre, &m->shape, w->cell_mass[corner[0]]);
         return;
     }
-    const bool known = value_at(w, corner, centre, middle, &value);
-    if (known) add_point(sim, corner, middle, value, 1);
-    if (w->corrected) w->cell_mass[corner[0]] = known ? value[Q_RHO] * pow(sim->dx, DIM) : 0;
+    const bool known = value_at(w, corner, centre, &m->shape, &value);
+    if (known) add_point(sim, corner, &m->shape, value, 1);
+    if (w->inertia) w->cell_mass[corner[0]] = known ? value[Q_RHO] * pow(sim->dx, DIM) : 0;
     *lost += !known;
 }
 
-static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, const Shape *middle,
+static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, const Middle *m,
                              Task task, long *lost)
 {
     Wls *w = wls_of(sim);
@@ -165,7 +211,7 @@ static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, c
     Bend bend[CORNERS];
     Shape shape;
     if (mask == (1 << CORNERS) - 1) {
-        take_full(sim, corner, middle, task, lost);
+        take_full(sim, corner, m, task, lost);
         return;
     }
     for (int k = 0; k < CORNERS; k++) {
@@ -195,7 +241,7 @@ static inline void take_row(Sim *sim, int row, Task task)
     Wls *w = wls_of(sim);
     size_t offset[CORNERS];
     int lo = g->lo[row], hi = g->hi[row], rest = row;
-    Shape middle;
+    Middle middle;
     for (int d = 1; d < DIM; d++) {
         if (rest % g->n[d] + 1 >= g->n[d] || wls_mirrored_cell(g, d, rest % g->n[d])) return;
         rest /= g->n[d];
@@ -210,7 +256,8 @@ static inline void take_row(Sim *sim, int row, Task task)
         lo = g->lo[row + up] > lo ? g->lo[row + up] : lo;
         hi = g->hi[row + up] < hi ? g->hi[row + up] : hi;
     }
-    shape_at(centre, &middle);
+    shape_at(centre, &middle.shape);
+    row_lanes(centre, 2.0 / 3, middle.row);
     for (int i = lo; lo < hi && i + 1 < hi; i++) {
         size_t corner[CORNERS];
         int mask = 0;

@@ -3,10 +3,11 @@
  *   a = a0 + D^-1 (f - M a0) = 2 a0 - D^-1 M a0,
  * at good nodes; spurious and massless ones take the mean of theirs (wls/nodes.c). See wls.h.
  *
- * Particles take a, but the grid that carries them moves with v + dt a0: their next fit will find
- * the filtered LS W a, which is a0 to fourth order, and any other velocity now would run ahead of
- * it by dt h^2/4 grad^2 a, which costs energy in proportion to dt. At spurious nodes the same comes
- * linearly extrapolated from good ones: 2 a_j - a_k, k beyond j.
+ * Particles take a. With motion=lagged the grid that carries them moves with v + dt a0: their next
+ * fit will find the filtered LS W a, which is a0 to fourth order, and any other velocity now would
+ * run ahead of it by dt h^2/4 grad^2 a, which costs energy in proportion to dt. At spurious nodes
+ * the same comes linearly extrapolated from good ones: 2 a_j - a_k, k beyond j. A velocity that is
+ * corrected, too (wls/velocity.c), finds v + dt a itself, and nothing needs to be held back.
  *
  * Real cells alone are summed: on a symmetry line the mirrored half doubles M a0 and D alike. */
 #include "wls.h"
@@ -32,14 +33,14 @@ void wls_book_change(Sim *sim, int row, size_t at, double dt, const Line before,
             sim->g.impulse[row][a] -= dt * real * (node[FLUX + a] - before[FLUX + a]);
 }
 
-static double whole_force(const Grid *g, size_t at, int a)
+double wls_whole_force(const Grid *g, size_t at, int a)
 {
     double f = g->force ? g->force[at * DIM + (size_t)a] : 0;
     for (int b = 0; b < DIM; b++) f += g->node[at][FLUX + b * DIM + a];
     return f;
 }
 
-/* a0 with boundary conditions. */
+/* The factors of a row, with boundary conditions: a0, v. */
 static void start_row(Sim *sim, int row)
 {
     const Grid *g = &sim->g;
@@ -48,34 +49,38 @@ static void start_row(Sim *sim, int row)
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
         const unsigned held = wls_held(g, row, i);
         const double mass = g->node[at][0];
-        w->inertia[at] = (Line){0};
-        for (int a = 0; a < DIM && mass > sim->mass_cut; a++)
-            if (!(held >> a & 1)) w->inertia[at][I_A + a] = whole_force(g, at, a) / mass;
+        w->inertia[at] = (Inertia){{0}, {0}, {0}};
+        for (int a = 0; a < DIM && w->corrected && mass > sim->mass_cut; a++)
+            if (!(held >> a & 1)) w->inertia[at].factor[I_A + a] = wls_whole_force(g, at, a) / mass;
+        if (w->sharpened) wls_velocity_start(sim, at, row, i, held);
     }
 }
 
-/* a, and as internal force, from which the nodes' equations take it; with what that means for the
- * momentum ledger. The change of all nodes together, sum_i (D a0 - M a0)_i, is nothing, since the
- * rows of M add up to D. A held component takes no part: a0 = 0 there, and of its share -(M a0)_i
- * the wall keeps the body. So the wall's impulse is that of the integrated force and dt (M a0)_i,
- * and what the other nodes gain, they gain from each other. */
+/* v; and a, that as internal force, from which the nodes' equations take it; with what that means
+ * for the momentum ledger. The change of all nodes together, sum_i (D a0 - M a0)_i, is nothing,
+ * since the rows of M add up to D. A held component takes no part: a0 = 0 there, and of its share
+ * -(M a0)_i the wall keeps the body. So the wall's impulse is that of the integrated force and
+ * dt (M a0)_i, and what the other nodes gain, they gain from each other. */
 static void finish_row(Sim *sim, int row, double dt)
 {
     Grid *g = &sim->g;
     Wls *w = wls_of(sim);
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-        const Line in = w->inertia[at], before = g->node[at];
-        if (!(in[I_M] > 0)) continue;
+        const Inertia in = w->inertia[at];
+        const Line before = g->node[at];
+        if (!(in.row[I_SUM] > 0)) continue;
         const unsigned held = wls_held(g, row, i);
         for (int a = 0; a < DIM; a++)
-            if (held >> a & 1) g->impulse[row][a] += dt * in[I_MA + a];
+            if (held >> a & 1) g->impulse[row][a] += dt * in.product[I_A + a];
         if (!wls_is_sound(sim, at)) continue;
-        for (int a = 0; a < DIM; a++) {
-            const double acc = held >> a & 1 ? 0 : 2 * in[I_A + a] - in[I_MA + a] / in[I_M];
+        if (w->sharpened) wls_velocity_finish(sim, at, row, i, held);
+        for (int a = 0; a < DIM && w->corrected; a++) {
+            const double acc =
+                held >> a & 1 ? 0 : 2 * in.factor[I_A + a] - in.product[I_A + a] / in.row[I_SUM];
             const double outer = g->force ? g->force[at * DIM + (size_t)a] : 0;
             g->node[at][FLUX + a] = g->node[at][0] * acc - outer;
-            w->inertia[at][I_MA + a] = acc;
+            w->inertia[at].product[I_A + a] = acc;
         }
         wls_book_change(sim, row, at, dt, before, held);
     }
@@ -87,6 +92,7 @@ void wls_correct(Sim *sim, double dt)
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row]) start_row(sim, row);
+    if (wls_of(sim)->folded) wls_spread(sim, dt);
     wls_mass_times(sim);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
@@ -115,8 +121,8 @@ static bool extrapolated(const Sim *sim, const int index[DIM], double acc[DIM])
         const double mass = g->node[j][0];
         total += mass;
         for (int a = 0; a < DIM; a++)
-            acc[a] += mass *
-                      (2 * sign[a] * w->inertia[j][I_MA + a] - sign2[a] * w->inertia[at][I_MA + a]);
+            acc[a] += mass * (2 * sign[a] * w->inertia[j].product[I_A + a] -
+                              sign2[a] * w->inertia[at].product[I_A + a]);
     }
     for (int a = 0; a < DIM && total > 0; a++) acc[a] /= total;
     return total > 0;
@@ -125,11 +131,13 @@ static bool extrapolated(const Sim *sim, const int index[DIM], double acc[DIM])
 void wls_hold_back(const Sim *sim, size_t at, const int index[DIM], double dt, double v[DIM])
 {
     const Wls *w = sim->own;
-    const Line in = w->inertia[at];
+    const Inertia *in = &w->inertia[at];
     const double mass = sim->g.node[at][0];
     double acc[DIM];
     if (w->good[at])
-        for (int a = 0; a < DIM && in[I_M] > 0; a++) v[a] += dt * (in[I_A + a] - in[I_MA + a]);
+        for (int a = 0; a < DIM && in->row[I_SUM] > 0; a++)
+            v[a] += dt * (in->factor[I_A + a] - in->product[I_A + a]);
     else if (extrapolated(sim, index, acc))
-        for (int a = 0; a < DIM; a++) v[a] += dt * (acc[a] - whole_force(&sim->g, at, a) / mass);
+        for (int a = 0; a < DIM; a++)
+            v[a] += dt * (acc[a] - wls_whole_force(&sim->g, at, a) / mass);
 }

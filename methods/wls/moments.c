@@ -19,10 +19,6 @@ typedef struct Kernel {
 /* Do the sums of a row of nodes fit into the registers? */
 enum { RUNS = 3 * FIT * (int)sizeof(Line) <= (int)REGISTERS * VECTOR_BYTES };
 
-/* The first half of a line, where the lanes of v are. */
-typedef double Half __attribute__((vector_size(LANES / 2 * sizeof(double)), may_alias));
-_Static_assert(Q_V + DIM <= LANES / 2, "lanes");
-
 typedef struct Deposit {
     Kernel kernel[DIM];
     Field T[NMAT], body[DIM], quantity[LANES];

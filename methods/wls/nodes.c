@@ -76,6 +76,30 @@ static void move_along(Sim *sim, size_t at, Line *node, const Around *n)
     }
 }
 
+bool wls_all_good(const Sim *sim, int row, int i)
+{
+    const Grid *g = &sim->g;
+    for (int k = 0; k < NEIGHBOURS / 3; k++) {
+        int next = row, stride = 1, rest = k;
+        for (int d = 1; d < DIM; d++, rest /= 3) {
+            next += (rest % 3 - 1) * stride;
+            stride *= g->n[d];
+        }
+        if (next < 0 || next >= g->rows || i <= g->lo[next] || i + 1 >= g->hi[next]) return false;
+        const unsigned char *good =
+            wls_of(sim)->good + (size_t)next * (size_t)g->n[0] + (size_t)i - 1;
+        if (!good[0] || !good[1] || !good[2]) return false;
+    }
+    return true;
+}
+
+void wls_velocity_at(const Sim *sim, const int index[DIM], double v[DIM])
+{
+    const Around n = look_around(sim, index);
+    for (int a = 0; a < DIM && wls_of(sim)->extrapolate && n.count > 0; a++)
+        v[a] = n.v[a] / n.count;
+}
+
 static void repair_node(Sim *sim, size_t at, int row, const int index[DIM], double dt)
 {
     Wls *w = wls_of(sim);
@@ -93,11 +117,14 @@ static void repair_node(Sim *sim, size_t at, int row, const int index[DIM], doub
         if (!light && n.massive > 0) average_force(sim, at, node, &n);
         w->fallbacks[row] += used && !(n.massive > 0);
     }
-    if (w->corrected && (*node)[0] > sim->mass_cut) wls_hold_back(sim, at, index, dt, v);
+    if (w->lagged && (*node)[0] > sim->mass_cut) wls_hold_back(sim, at, index, dt, v);
     for (int a = 0; a < DIM; a++) (*node)[1 + a] = (*node)[0] * v[a];
-    if (repaired)
-        wls_book_change(sim, row, at, dt, before,
-                        wls_held(&sim->g, row, index[0]) | grid_stops(&sim->g, row, index[0], dt));
+    if (repaired) {
+        /* a stopping wall bears the integrated force, unless that went to the neighbours; a node
+         * without mass gives none away */
+        const unsigned stops = w->folded && !light ? 0 : sim_stops(&sim->g, row, index[0], dt);
+        wls_book_change(sim, row, at, dt, before, wls_held(&sim->g, row, index[0]) | stops);
+    }
 }
 
 void wls_repair_row(Sim *sim, int row, double dt)

@@ -12,7 +12,8 @@
 #define WLS_NUMBER(at, name, value, most, about, source)                                           \
     [at] = {name, value, 0, most, "", about, source, NULL}
 
-#define WLS_PARAMS(quadrature, distance, spurious, back, mass, hermite, trigger)                   \
+#define WLS_PARAMS(quadrature, distance, spurious, back, average, mass, velocity, motion, hermite, \
+                   trigger)                                                                        \
     {                                                                                              \
         WLS_CHOICE(P_STRESS, "stress", STRESS_LINEAR, 1,                                           \
                    "values at a point from the nodes' linear functions, or their values only",     \
@@ -32,14 +33,23 @@
             WLS_CHOICE(P_RETURN, "return", back, 1, "what takes v, a and L back to particles",     \
                        "W11 eqs 5, 6", "linear|spline"),                                           \
             WLS_CHOICE(                                                                            \
-                P_AVERAGE, "average", AVERAGE_WEIGHTED, 1,                                         \
-                "force of spurious nodes: by mass, or the plain mean as printed (blows up)",       \
-                "W11 4.5", "weighted|literal"),                                                    \
+                P_AVERAGE, "average", average, 2,                                                  \
+                "force of spurious nodes: by mass; the plain mean as printed (blows up); by "      \
+                "mass, and their own goes to their good neighbours",                               \
+                "W11 4.5", "weighted|literal|folded"),                                             \
             WLS_CHOICE(                                                                            \
                 P_MASS, "mass", mass, 1,                                                           \
                 "accelerations by row sums of the mass matrix, or corrected towards the matrix",   \
                 "", "lumped|corrected"),                                                           \
-            WLS_NUMBER(P_HERMITE, "hermite", hermite, 10,                                          \
+            WLS_CHOICE(P_VELOCITY, "velocity", velocity, 1,                                        \
+                       "of nodes: as fitted, or what fit and return filter given back", "",        \
+                       "plain|corrected"),                                                         \
+            WLS_CHOICE(                                                                            \
+                P_MOTION, "motion", motion, 1,                                                     \
+                "with corrected mass nodes move particles with v + dt a of the lumped mass, or "   \
+                "of the corrected one",                                                            \
+                "", "lagged|consistent"),                                                          \
+            WLS_NUMBER(P_HERMITE, "hermite", hermite, 1e6,                                         \
                        "weight of the particles' velocity gradients in the fit of v; 0: none",     \
                        "W07 4"),                                                                   \
             WLS_NUMBER(P_TRIGGER, "trigger", trigger, 0.5625,                                      \
@@ -54,7 +64,7 @@
 #define WLS_STAGES                                                                                 \
     .valid = 1u << CD | 1u << USL, .integrator = {[1] = CD, [2] = CD, [3] = CD}, .surface = true,  \
     .about_node = true, .width = tent_width, .shape = inner_tent_shape, .update = flip_update,     \
-    .node_bytes = sizeof(Line[FIT + 3]) + 3 * sizeof(double) + sizeof(Bend) + 2,                   \
+    .node_bytes = sizeof(Line[FIT + 2]) + sizeof(Inertia) + 3 * sizeof(double) + sizeof(Bend) + 2, \
     .assemble = wls_assemble, .repair = wls_repair, .patches = wls_patches, .make = wls_make,      \
     .free = wls_free, .adapt = wls_adapt
 

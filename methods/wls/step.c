@@ -24,6 +24,9 @@ bool wls_make(Sim *sim)
     w->extrapolate = (int)par[P_SPURIOUS] == SPURIOUS_EXTRAPOLATE;
     w->literal = (int)par[P_AVERAGE] == AVERAGE_LITERAL;
     w->corrected = (int)par[P_MASS] == MASS_CORRECTED;
+    w->folded = w->corrected && (int)par[P_AVERAGE] == AVERAGE_FOLDED; /* into a0 of its step */
+    w->sharpened = (int)par[P_VELOCITY] == VELOCITY_CORRECTED;
+    w->lagged = w->corrected && (int)par[P_MOTION] == MOTION_LAGGED;
     w->hermite = par[P_HERMITE] * par[P_HERMITE];
     w->trigger = par[P_TRIGGER];
     w->inside =
@@ -34,7 +37,7 @@ bool wls_make(Sim *sim)
     w->skin = nodes_of(n, sizeof *w->skin);
     w->skinned = calloc(n + 1, sizeof *w->skinned);
     if (w->skin) memset(w->skin, 0, (n + 1) * sizeof *w->skin);
-    if (w->corrected) {
+    if (w->corrected || w->sharpened) {
         w->inertia = nodes_of(n, sizeof *w->inertia);
         w->cell_mass = nodes_of(n, sizeof *w->cell_mass);
     }
@@ -44,7 +47,7 @@ bool wls_make(Sim *sim)
     w->good = nodes_of(n, 1);
     w->fallbacks = calloc((size_t)g->rows, sizeof *w->fallbacks);
     return w->fit && w->skin && w->skinned && w->most && w->distance && w->good && w->fallbacks &&
-           ((w->inertia && w->cell_mass) || !w->corrected) &&
+           ((w->inertia && w->cell_mass) || !(w->corrected || w->sharpened)) &&
            (w->bend || w->distance_by != DISTANCE_CURVED);
 }
 
@@ -115,7 +118,7 @@ void wls_repair(Sim *sim, double dt)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row]) any = mark_sound(sim, row) || any;
     wls_of(sim)->body = any;
-    if (wls_of(sim)->corrected) wls_correct(sim, dt);
+    if (wls_of(sim)->inertia) wls_correct(sim, dt);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))

@@ -7,6 +7,8 @@
  *   polygon.c   marching squares: the shape of a cut cell (eq 18)
  *   wls/cells.c     integrals over full and cut cells (eqs 19-24)
  *   wls/inertia.c   accelerations towards the consistent mass matrix
+ *   wls/velocity.c  velocities that get back what fit and return filter
+ *   wls/spread.c    forces of spurious nodes to their neighbours
  *   wls/nodes.c     spurious nodes and nodes without mass (3.5, 4.5)
  *   wls/step.c      their order, workspace
  *
@@ -33,6 +35,8 @@ enum {
     P_RETURN,
     P_AVERAGE,
     P_MASS,
+    P_VELOCITY,
+    P_MOTION,
     P_HERMITE,
     P_TRIGGER,
     P_SURFACE_PER_CELL
@@ -42,8 +46,10 @@ enum { QUADRATURE_CENTROID, QUADRATURE_EXACT };
 enum { DISTANCE_WEIGHTED_MEAN, DISTANCE_NORMALS, DISTANCE_CURVED, DISTANCE_EXACT };
 enum { SPURIOUS_CONSTANT, SPURIOUS_EXTRAPOLATE };
 enum { RETURN_LINEAR, RETURN_SPLINE };
-enum { AVERAGE_WEIGHTED, AVERAGE_LITERAL };
+enum { AVERAGE_WEIGHTED, AVERAGE_LITERAL, AVERAGE_FOLDED };
 enum { MASS_LUMPED, MASS_CORRECTED };
+enum { VELOCITY_PLAIN, VELOCITY_CORRECTED };
+enum { MOTION_LAGGED, MOTION_CONSISTENT };
 
 enum { CORNERS = 1 << DIM, PAIRS = DIM * (DIM + 1) / 2, NEIGHBOURS = IN_THIS_DIM(3, 9, 27) };
 
@@ -69,11 +75,21 @@ enum {
 enum { K_ONE, K_FIRST, K_NORMAL = K_FIRST + DIM, K_ALONG = K_NORMAL + DIM };
 enum { K_RR, K_RN = K_RR + PAIRS };
 
-/* Lanes of the mass correction: a0, M a0, row sum of M. */
-enum { I_A, I_MA = I_A + DIM, I_M = I_MA + DIM };
+/* The first half of a line, where the lanes of v are. */
+typedef double Half __attribute__((vector_size(LANES / 2 * sizeof(double)), may_alias));
+
+/* A node and the consistent mass matrix, M_ij = sum_q S_iq S_jq rho_q V_q [kg]. Lanes of `factor`
+ * and of `product` = M times it: a0, v. Lanes of `row`: its sum D_i = sum_j M_ij, and its first
+ * moments sum_j M_ij (x_j - x_i) [kg cell]. */
+enum { I_A, I_V = I_A + DIM };
+enum { I_SUM, I_FIRST };
+typedef struct Inertia {
+    Half factor, product, row;
+} Inertia;
 
 _Static_assert(M_BETA < (int)LANES && QUANTITIES <= (int)LANES && K_ALONG < (int)LANES &&
-                   K_RN + NMAT <= (int)LANES && I_M < (int)LANES,
+                   K_RN + NMAT <= (int)LANES && I_V + DIM <= LANES / 2 &&
+                   I_FIRST + DIM <= LANES / 2 && Q_V + DIM <= LANES / 2,
                "lanes");
 
 /* Number of the pair (d, e), d <= e, in row order. */
@@ -89,7 +105,8 @@ typedef struct Bend {
 } Bend;
 
 typedef struct Wls {
-    bool linear, exact, extrapolate, literal, corrected; /* choices: see the parameters */
+    bool linear, exact, extrapolate, literal, folded; /* choices: see the parameters */
+    bool corrected, sharpened, lagged;                /* mass, velocity, motion */
     int distance_by;
     double hermite; /* g^2: weight of gradients in the fit of v */
     double trigger;
@@ -99,7 +116,7 @@ typedef struct Wls {
     Line (*skin)[2];     /* [nodes] sums over surface points, 0 but where `skinned` */
     bool *skinned;       /* [nodes] */
     Bend *bend;          /* [nodes] or NULL: all surfaces are straight */
-    Line *inertia;       /* [nodes] of the mass correction, or NULL */
+    Inertia *inertia;    /* [nodes] of the corrections by the mass matrix, or NULL */
     double *cell_mass;   /* [nodes] of the full cell above a node [kg], with it */
     double *most;        /* [nodes] largest W of any particle */
     double *distance;    /* [nodes] [cells] from the surface, > 0 inside */
@@ -151,23 +168,40 @@ enum { MAX_POINTS = 18 };
 int wls_cell_points(const double distance[CORNERS], const Bend *bend, bool exact,
                     double xi[MAX_POINTS][DIM], double weight[MAX_POINTS]);
 
-/* M a0 and the row sums of M, M_ij = sum_q S_iq S_jq rho_q V_q over the same points [kg], into
- * `inertia`. */
+/* Products of M over the same points with the factors in `inertia`, and its rows. */
 void wls_mass_times(Sim *sim);
 
 /* Accelerations corrected towards the consistent mass matrix: a = 2 a0 - D^-1 M a0 at good nodes,
- * after symmetry; written back as internal force. Then v of a node is to lag behind v + dt a. */
+ * after symmetry; written back as internal force. And velocities. Then v of a node may be held
+ * back, to lag behind v + dt a. */
 void wls_correct(Sim *sim, double dt);
 void wls_hold_back(const Sim *sim, size_t at, const int index[DIM], double dt, double v[DIM]);
 
-/* Components that a wall holds or a symmetry line cancels at node i of a row. */
+/* Components that a wall holds or a symmetry line cancels at node i of a row; internal and body
+ * force of a node. */
 unsigned wls_held(const Grid *g, int row, int i);
+double wls_whole_force(const Grid *g, size_t at, int a);
 
 /* After a node's internal force was changed from that of the line `before`: the ledger has booked
  * it as it was integrated, with which forces and reactions sum to nothing. Where a component is
  * `held` the wall bears just that. Elsewhere the change is momentum that no wall gave: it is booked
  * against, and shows as drift, unless other nodes lose as much. */
 void wls_book_change(Sim *sim, int row, size_t at, double dt, const Line before, unsigned held);
+
+/* Hands what forces of spurious nodes their neighbours do not account for to these: into a0. */
+void wls_spread(Sim *sim, double dt);
+
+/* Velocities corrected by the same matrix: v of node `at` as a factor; then, after the product, in
+ * the node's plane. */
+void wls_velocity_start(Sim *sim, size_t at, int row, int i, unsigned held);
+void wls_velocity_finish(Sim *sim, size_t at, int row, int i, unsigned held);
+
+/* Are all neighbours of node i of a row live and good, as most are? They may be ghosts, which are
+ * no better than their images. */
+bool wls_all_good(const Sim *sim, int row, int i);
+
+/* v of a spurious node from the planes of its good neighbours; left alone if there are none. */
+void wls_velocity_at(const Sim *sim, const int index[DIM], double v[DIM]);
 
 /* Velocities, spurious and massless nodes of one row, after symmetry. */
 void wls_repair_row(Sim *sim, int row, double dt);

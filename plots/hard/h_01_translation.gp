@@ -3,7 +3,7 @@ load plots.'/style.gp'
 force_ = dir.'/'.name.'.force.csv'
 dots_ = dir.'/'.name.'.dots.csv'
 list_ = force_
-load plots.'/hard.gp'
+load plots.'/methods.gp'
 HERE = 'mpm bspline gimp wls'
 set multiplot
 set lmargin at screen 0.1
@@ -37,5 +37,5 @@ set key top right maxrows 2 samplen 1
 set label 1 heading('Largest, all offsets and meshes')
 plot for [k = 1:3] force_ using (strcol('kind') eq word(KINDS, k) ? at_(strcol('method')) + 0.2 * (k - 2) : NaN):\
          (column('largest') > 1e-16 ? column('largest') : 1e-16) with points pt 4 + k ps 1 \
-         lc rgb SHADE[k] title SAYS[k]
+         lc rgb VARIANT[k] title SAYS[k]
 unset multiplot

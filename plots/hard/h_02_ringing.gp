@@ -1,7 +1,7 @@
 # What is left of particle velocities that the grid cannot see, against steps.
 load plots.'/style.gp'
 list_ = dir.'/'.name.'.kept.csv'
-load plots.'/hard.gp'
+load plots.'/methods.gp'
 set multiplot
 set lmargin at screen 0.09
 set rmargin at screen 0.44

@@ -1,7 +1,7 @@
 # Stress that the particles know of, over the right one, against stretch.
 load plots.'/style.gp'
 list_ = dir.'/'.name.'.curves.csv'
-load plots.'/hard.gp'
+load plots.'/methods.gp'
 fixed_ = 0
 stats list_ using (fixed_ = fixed_ || strcol('variant') eq 'undeformed', 1) nooutput
 KINDS = 'bar1 bar2 plane'

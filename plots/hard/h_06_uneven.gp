@@ -1,7 +1,7 @@
 # Uneven particles: projection error against jitter. Few particles: error of two waves.
 load plots.'/style.gp'
 list_ = dir.'/'.name.'.points.csv'
-load plots.'/hard.gp'
+load plots.'/methods.gp'
 set multiplot
 set bmargin at screen 0.13
 set tmargin at screen 0.9

@@ -1,7 +1,7 @@
 # Ten turns: area after imposed ones, angular momentum lost in free ones.
 load plots.'/style.gp'
 list_ = dir.'/'.name.'.turns.csv'
-load plots.'/hard.gp'
+load plots.'/methods.gp'
 VARIANTS = 'usual stretch exponential subcycled'
 array SAYS[4] = ['as it comes', 'domain=stretch', 'strain\_update=exponential', 'subcycled']
 array KIND[4] = [7, 5, 9, 13]
@@ -26,7 +26,7 @@ set label 1 heading('(a) imposed: area after ten turns') at graph 0, graph 1.06
 set key at screen 0.09, screen 0.99 left top maxrows 2 samplen 1
 set label 2 'e^{20 π ω Δt}' at graph 0.02, first 3.36 textcolor rgb '#666666'
 plot exp(20 * pi * 0.3 / 16) with lines ls 21 notitle, \
-     for [v = 1:4] list_ using (of('spin', v, 1)):'J' with points pt KIND[v] ps 1.1 lc rgb SHADE[v] \
+     for [v = 1:4] list_ using (of('spin', v, 1)):'J' with points pt KIND[v] ps 1.1 lc rgb VARIANT[v] \
          title HAS[v] ? SAYS[v] : ''
 set lmargin at screen 0.61
 set rmargin at screen 0.985
@@ -37,6 +37,6 @@ set yrange [1e-7:3]
 set format y '10^{%T}'
 set ylabel 'share lost a turn' offset 0
 set label 1 heading('(b) free: angular momentum (× run lost)')
-plot for [v = 1:4] list_ using (of('free', v, 1)):(abs(column('loss'))) with points pt KIND[v] ps 1.1 lc rgb SHADE[v], \
-     for [v = 1:4] list_ using (of('free', v, 0)):(1) with points pt 2 ps 1.1 lw 2 lc rgb SHADE[v]
+plot for [v = 1:4] list_ using (of('free', v, 1)):(abs(column('loss'))) with points pt KIND[v] ps 1.1 lc rgb VARIANT[v], \
+     for [v = 1:4] list_ using (of('free', v, 0)):(1) with points pt 2 ps 1.1 lw 2 lc rgb VARIANT[v]
 unset multiplot

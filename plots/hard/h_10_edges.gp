@@ -2,7 +2,7 @@
 tall = 1.2
 load plots.'/style.gp'
 list_ = csv
-load plots.'/hard.gp'
+load plots.'/methods.gp'
 BODIES = 'block strip corner slit'
 array SAYS[4] = ['Block', 'Strip, 1.5 cells thick', 'Concave corner', 'Two surfaces in a cell']
 set logscale xy

@@ -1,7 +1,7 @@
 # Long runs: the energy ledger over time.
 load plots.'/style.gp'
 list_ = dir.'/'.name.'.ledger.csv'
-load plots.'/hard.gp'
+load plots.'/methods.gp'
 SCENES = 'ring disk_impact'
 array SAYS[2] = ['Ring, N = 32, twenty periods', 'Disk, N = 48, to t = 20']
 of(s, m, v) = strcol('problem') eq s && strcol('method') eq m && strcol('variant') eq v ? column('t') : NaN

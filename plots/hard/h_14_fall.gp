@@ -1,7 +1,7 @@
 # Free fall from rest: error by method and integrator.
 load plots.'/style.gp'
 list_ = csv
-load plots.'/hard.gp'
+load plots.'/methods.gp'
 set lmargin 10
 set bmargin 6
 set logscale y

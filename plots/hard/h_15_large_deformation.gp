@@ -1,7 +1,6 @@
 # Large deformation: errors against the mesh at half amplitude, and a grid of who survives what.
 tall = 1.35
 load plots.'/style.gp'
-load plots.'/methods.gp'
 errors_ = dir.'/'.name.'.errors.csv'
 grid_ = dir.'/'.name.'.grid.csv'
 stats grid_ using 'line' nooutput
@@ -26,8 +25,8 @@ set xlabel 'cells per metre, N'
 set label 1 heading('Vortex, G = .5: largest error [m]') at graph 0, graph 1.04
 set label 3 'U: half widths follow the stretch; l_0: they stay' at screen 0.015, screen 0.065 font small
 set key at screen 0.01, screen 0.245 left top maxrows 7 samplen 1.6 width -2 font small
-plot for [m in EVERY] errors_ using (of(m, 'fxx', 'ok')):'error' with linespoints ls style(m) title label(m), \
-     for [m in EVERY] errors_ using (of(m, 'fxx', 'lost')):(2.2) with points ls style(m) pt 1 ps 1.2 notitle, \
+plot for [m in METHODS] errors_ using (of(m, 'fxx', 'ok')):'error' with linespoints ls style(m) title label(m), \
+     for [m in METHODS] errors_ using (of(m, 'fxx', 'lost')):(2.2) with points ls style(m) pt 1 ps 1.2 notitle, \
      for [m in 'gimp ge_gimp'] errors_ using (of(m, 'stretch', 'ok')):'error' with linespoints ls style(m) dt 2 title label(m).', U', \
      for [m in 'gimp ge_gimp'] errors_ using (of(m, 'undeformed', 'ok')):'error' with linespoints ls style(m) dt 3 title label(m).', l_0', \
      NaN with points pt 1 lc rgb '#444444' title 'lost'

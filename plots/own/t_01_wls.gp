@@ -24,7 +24,7 @@ plot csv using (from_wls(0) == 0 ? column('cells') : NaN):'error_linf' with line
      csv using (one(from_wls(0), 'quadrature=exact')):'error_linf' with linespoints ls 2 title 'exact cut cells', \
      csv using (one(from_wls(0), 'trigger=0.25')):'error_linf' with linespoints ls 3 title 'trigger weight 0.25', \
      csv using (one(from_wls(0), 'spurious_velocity=extrapolate')):'error_linf' with linespoints ls 4 title 'extrapolated velocities', \
-     csv using (one(from_wls(0), 'stress=c0')):'error_linf' with linespoints ls 9 title 'no slopes', \
+     csv using (one(from_wls(0), 'stress=c0')):'error_linf' with linespoints ls 6 title 'no slopes', \
      0.5 / x**2 with lines ls 20 title 'N^{ −2}'
 
 set label 1 heading('(b) WLS2, one cure less')
@@ -34,7 +34,7 @@ set key at screen 0.39, screen 0.265 left top maxrows 7
 plot csv using (from_wls2(0) == 0 ? column('cells') : NaN):'error_linf' with linespoints ls style('wls2') lw 2.2 title label('wls2'), \
      csv using (one(from_wls2(0), 'distance=weighted_mean')):'error_linf' with linespoints ls 1 title 'distance to the mean', \
      csv using (one(from_wls2(0), 'quadrature=centroid')):'error_linf' with linespoints ls 2 title 'one point in cut cells', \
-     csv using (one(from_wls2(0), 'return=spline')):'error_linf' with linespoints ls 8 dt 2 title 'return by spline', \
+     csv using (one(from_wls2(0), 'return=spline')):'error_linf' with linespoints ls 5 dt 2 title 'return by spline', \
      0.5 / x**2 with lines ls 20 title 'N^{ −2}'
 
 set label 1 heading('(c) cut points')

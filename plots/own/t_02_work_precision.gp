@@ -13,10 +13,8 @@ is(p, m) = strcol('problem') eq p && strcol('method') eq m && \
 of(p, m, x) = is(p, m) ? column(x) : NaN
 front(p, m, x, which) = is(p, m) && column(which) == 1 ? column(x) : NaN
 every(p, x, which) = strcol('problem') eq p && column(which) == 1 ? column(x) : NaN
-count = 0
-note(m) = m eq 'method' || strstrt(seen, ' '.m.' ') ? 0 : (seen = seen.m.' ', count = count + 1, 0)
-seen = ' '
-stats points_ using (note(strcol('method'))) nooutput
+list_ = points_
+load plots.'/methods.gp'
 PROBLEMS = 'ring axis_mms vortex plate_vibration sine_bar squeeze'
 array TITLE[6] = ['Ring: largest error [m]', 'Axis-aligned displacement: largest error / A', \
                   'Vortex, G = 0.1: largest error [m]', 'Plate, A = 0.4 mm: largest error / A', \
@@ -36,11 +34,11 @@ do for [k = 1:6] {
             set key at screen 0.1, screen 0.068 left top maxrows 5 samplen 2.2 width 1
         } else { set key off }
         plot points_ using (every(p, cost, all_)):'error' smooth unique with steps lw 7 lc rgb '#e2e2d6' notitle, \
-             for [m in seen] points_ using (c == 1 ? of(p, m, cost) : NaN):'error' with points ls style(m) ps 0.35 notitle, \
-             for [m in seen] points_ using (front(p, m, cost, own)):'error' smooth unique \
+             for [m in seen_] points_ using (c == 1 ? of(p, m, cost) : NaN):'error' with points ls style(m) ps 0.35 notitle, \
+             for [m in seen_] points_ using (front(p, m, cost, own)):'error' smooth unique \
                  with linespoints ls style(m) notitle, \
              keyentry with lines lw 7 lc rgb '#e2e2d6' title 'Pareto front of all', \
-             for [m in seen] keyentry with linespoints ls style(m) title label(m)
+             for [m in seen_] keyentry with linespoints ls style(m) title label(m)
     }
 }
 unset multiplot

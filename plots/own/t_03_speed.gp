@@ -12,6 +12,7 @@ set xlabel 'CPU time of one particle-step (FEM: element-step) [ns]'
 set label 1 heading('Speed of the step loop, one core') at graph 0, graph 1.06
 set lmargin 20
 unset key
+set ytics noenhanced # names of methods: no subscripts
 bar = 0.31
 colour(c) = c[1:5] eq 'bound' ? 0x999999 : c eq 'twin' ? 0xD55E00 : c[1:3] eq 'fem' ? 0x000000 : 0x0072B2
 plot csv skip 1 using (3):0:(3):3:($0 - bar):($0 + bar):(colour(strcol(1))):ytic(1) \

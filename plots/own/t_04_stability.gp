@@ -18,10 +18,9 @@ status_of(s) = sum [k = 1:words(STATUS)] (word(STATUS, k) eq s ? k : 0)
 rgb(s) = hex(SHADE[status_of(s)])
 
 # The methods of the table, in its order.
-MINE = ''
-mine(m) = m ne 'method' && strstrt(' '.MINE.' ', ' '.m.' ') == 0 ? (MINE = MINE.' '.m, 1) : 1
-stats map_ using (mine(strcol('method'))) nooutput
-methods_ = words(MINE)
+list_ = map_
+load plots.'/methods.gp'
+methods_ = words(seen_)
 columns_ = 5
 lines_ = int(ceil(methods_ / (1.0 * columns_)))
 
@@ -41,7 +40,7 @@ set yrange [22:-1]
 set xrange [-0.6:9.6]
 in(m) = strcol('method') eq m && column('default') == 1
 do for [k = 1:methods_] {
-    m = word(MINE, k)
+    m = word(seen_, k)
     col = (k - 1) % columns_
     line = (k - 1) / columns_
     set lmargin at screen 0.095 + col * 0.18
@@ -98,7 +97,7 @@ set bmargin at screen 0.03
 set xrange [-0.6:30.2]
 set yrange [methods_ - 0.5:-0.5]
 set ytics ()
-do for [k = 1:methods_] { set ytics add (label(word(MINE, k)) k - 1) }
+do for [k = 1:methods_] { set ytics add (label(word(seen_, k)) k - 1) }
 set ytics font F14 scale 0 nomirror
 set x2tics scale 0 nomirror
 set x2tics ('cd' 1, 'usl' 4.3, 'musl' 7.6, 'uvf' 10.9, 'usf' 14.2, 'musl, fresh L' 17.5, 'uvf, fresh L' 20.8, 'cd' 24.5, \
@@ -106,7 +105,7 @@ set x2tics ('cd' 1, 'usl' 4.3, 'musl' 7.6, 'uvf' 10.9, 'usf' 14.2, 'musl, fresh 
 set x2range [-0.6:30.2]
 set label 1 '1D' at -0.6, graph 1.075 left font FONT[14]
 set label 2 '2D' at 23.5, graph 1.075 left font FONT[14]
-line_of(m) = sum [k = 1:methods_] (word(MINE, k) eq m ? k - 1 : 0)
+line_of(m) = sum [k = 1:methods_] (word(seen_, k) eq m ? k - 1 : 0)
 set palette defined (0 '#d8694f', 0.1 '#eda07c', 0.4 '#f6dfa0', 0.8 '#d9ecb8', 1.2 '#9fd3a6', 2 '#6dbb82')
 set cbrange [0:2]
 unset colorbox

@@ -19,16 +19,16 @@ percent(e) = minus(sprintf('%.2f %%', 100 * e))
 part(p) = dir.'/'.name.'.'.p.'.csv'
 set label 1 heading('(a) triangles') at graph 0, graph 1.13
 set label 2 'area off by '.percent(error_fem) at graph 0, graph 1.05
-plot part('fem') using 'x':'y' with filledcurves closed fc rgb COLOUR[8] fs transparent solid 0.12 border lc rgb '#444444', \
+plot part('fem') using 'x':'y' with filledcurves closed fc rgb COLOUR[style('fem')] fs transparent solid 0.12 border lc rgb '#444444', \
      0.9 * cos(t), 0.9 * sin(t) with lines ls 20, 0.375 * cos(t), 0.375 * sin(t) with lines ls 20
 set label 1 heading('(b) GIMP''s particles')
 set label 2 sprintf('gaps %.1f %%, overlaps %.1f %%', 100 * gaps, 100 * overlaps)
 unset ylabel
 l = 0.25 / cells
-plot part('gimp') using 'x':'y':(l * column('Fxx')):(l * column('Fyy')) with boxxyerror fc rgb COLOUR[2] fs transparent solid 0.3 border lc rgb COLOUR[2] lw 0.7, \
+plot part('gimp') using 'x':'y':(l * column('Fxx')):(l * column('Fyy')) with boxxyerror fc rgb COLOUR[style('gimp')] fs transparent solid 0.3 border lc rgb COLOUR[style('gimp')] lw 0.7, \
      0.9 * cos(t), 0.9 * sin(t) with lines ls 20, 0.375 * cos(t), 0.375 * sin(t) with lines ls 20
 set label 1 heading('(c) cells of WLS')
 set label 2 'area off by '.percent(error_wls2)
-plot part('wls2') using 'x':'y' with filledcurves closed fc rgb COLOUR[5] fs transparent solid 0.2 border lc rgb COLOUR[5], \
+plot part('wls2') using 'x':'y' with filledcurves closed fc rgb COLOUR[style('wls2')] fs transparent solid 0.2 border lc rgb COLOUR[style('wls2')], \
      0.9 * cos(t), 0.9 * sin(t) with lines ls 20, 0.375 * cos(t), 0.375 * sin(t) with lines ls 20
 unset multiplot

@@ -28,7 +28,7 @@ do for [s = 0:5] {
     set label 1 heading(TITLE[s + 1]) at graph 0.12, graph 1.03
     set object 1 rectangle from 0,0 to 1,1 fs empty border lc rgb '#999999' front
     plot for [p = 0:1] csv using (column('shape') == s && column('piece') == p ? column('x') : NaN):'y' \
-             with filledcurves closed fc rgb COLOUR[6] fs transparent solid 0.3 border lc rgb COLOUR[6], \
-         csv using (column('shape') == s ? column('x') : NaN):'y' with points pt 7 ps 0.6 lc rgb COLOUR[6]
+             with filledcurves closed fc rgb COLOUR[style('wls2')] fs transparent solid 0.3 border lc rgb COLOUR[style('wls2')], \
+         csv using (column('shape') == s ? column('x') : NaN):'y' with points pt 7 ps 0.6 lc rgb COLOUR[style('wls2')]
 }
 unset multiplot

@@ -34,7 +34,7 @@ do for [w in '0.05 0.25 0.5'] {
 }
 set key at graph 1, graph 1.1 right top samplen 1.5
 plot $contours using 1:2 with lines ls 20 notitle, \
-     $trigger using 1:2 with lines lw 2.5 lc rgb COLOUR[4 - 3] title sprintf('trigger weight %.2f', trigger)
+     $trigger using 1:2 with lines lw 2.5 lc rgb COLOUR[1] title sprintf('trigger weight %.2f', trigger)
 set datafile separator ','
 unset for [k = 2:12] label k
 set xrange [0:1.25]

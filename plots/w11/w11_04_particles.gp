@@ -20,7 +20,7 @@ set parametric
 set trange [0:pi / 2]
 do for [layout in 'cartesian radial'] {
     set label 1 heading(layout eq 'cartesian' ? '(a) on the lattice' : '(b) fitted to the ring') at graph 0, graph 1.05
-    plot dir.'/w11_04_'.layout.'.csv' using 'X':'Y' with points pt 7 ps 0.35 lc rgb COLOUR[2], \
+    plot dir.'/'.name.'.'.layout.'.csv' using 'X':'Y' with points pt 7 ps 0.35 lc rgb COLOUR[style('gimp')], \
          cos(t), sin(t) with lines ls 20, 0.5 * cos(t), 0.5 * sin(t) with lines ls 20
 }
 unset multiplot

@@ -26,7 +26,7 @@ do for [row = 0:1] {
             set colorbox user origin 0.865, 0.11 size 0.02, 0.83
             set cblabel 'Cauchy stress [Pa]' offset 0.5
         }
-        plot dir.'/w11_05_'.ms.'ms.csv' using 'x':'y':(row == 0 \
+        plot dir.'/'.name.'.'.ms.'ms.csv' using 'x':'y':(row == 0 \
             ? rr(column('x'), column('y'), column('sxx'), column('syy'), column('sxy')) \
             : tt(column('x'), column('y'), column('sxx'), column('syy'), column('sxy'))) \
             with points pt 7 ps 0.3 palette

@@ -1,7 +1,6 @@
 # Oscillating ring: the largest error against mesh and against time step.
 tall = 1.15
 load plots.'/style.gp'
-load plots.'/methods.gp'
 load dir.'/'.name.'.var'
 set multiplot layout 1,2 margins 0.09,0.985,0.38,0.92 spacing 0.08
 set logscale xy
@@ -22,12 +21,12 @@ set xtics (8, 16, 32, 64, 128)
 set xlabel 'cells over the outer radius, N'
 set ylabel 'largest error of all particles and steps [m]'
 set key at screen 0.09, screen 0.29 left top maxrows 9 samplen 2.2 width 1
-plot for [m in EVERY] exists_in(m) ? csv : '/dev/null' \
+plot for [m in METHODS] exists_in(m) ? csv : '/dev/null' \
          using (column('cfl') == 0.3 ? runs(m, usual(m), 'cells') : NaN):'error_linf' \
          with linespoints ls style(m) title label(m).fit_text(m), \
      csv using (column('cfl') == 0.3 ? runs('gimp', 'radial', 'cells') : NaN):'error_linf' \
          with linespoints ls style('gimp') dt 2 pt 6 title 'GIMP, fitted'.fit_text('gimp_radial'), \
-     for [m in EVERY] csv using (column('cfl') == 0.3 ? lost(m, usual(m), 'cells') : NaN):(4e-2) \
+     for [m in METHODS] csv using (column('cfl') == 0.3 ? lost(m, usual(m), 'cells') : NaN):(4e-2) \
          with points ls style(m) pt 1 ps 1.2 notitle, \
      NaN with points pt 1 lc rgb '#444444' title 'lost', 0.5 / x**2 with lines ls 20 title 'N^{ −2}', 0.09 / x with lines ls 21 title 'N^{ −1}'
 
@@ -38,10 +37,10 @@ set xlabel 'time step, CFL'
 unset ylabel
 set format y ''
 unset key
-plot for [m in EVERY] csv using (column('cells') == 32 ? runs(m, usual(m), 'cfl') : NaN):'error_linf' \
+plot for [m in METHODS] csv using (column('cells') == 32 ? runs(m, usual(m), 'cfl') : NaN):'error_linf' \
          smooth unique with linespoints ls style(m), \
      csv using (column('cells') == 32 ? runs('gimp', 'radial', 'cfl') : NaN):'error_linf' \
          smooth unique with linespoints ls style('gimp') dt 2 pt 6, \
-     for [m in EVERY] csv using (column('cells') == 32 ? lost(m, usual(m), 'cfl') : NaN):(4e-2) \
+     for [m in METHODS] csv using (column('cells') == 32 ? lost(m, usual(m), 'cfl') : NaN):(4e-2) \
          with points ls style(m) pt 1 ps 1.2
 unset multiplot

@@ -1,7 +1,7 @@
 /* list_command.c: `list` and `describe`: what there is, and what each takes. */
 #include <string.h>
 #include "cli.h"
-#include "studies/runs/run_args.h"
+#include "studies/runs/engines.h"
 
 static int take_word(void *into, const char *name, const char *value, Fault *fault)
 {
@@ -24,6 +24,11 @@ static InfoList problems_of(const Engine *e)
 static InfoList methods_of(const Engine *e)
 {
     return e->methods;
+}
+
+static InfoList integrators_of(const Engine *e)
+{
+    return e->integrators;
 }
 
 static const Info *info_in(InfoList list, const char *name)
@@ -60,6 +65,12 @@ static void list_problems(void)
     for (int k = 0; k < n; k++) print_entry("problem", names[k], problems_of);
 }
 
+static void list_integrators(void)
+{
+    for (InfoList i = engines[0]->integrators; *i; i++)
+        print_entry("integrator", (*i)->name, integrators_of);
+}
+
 /* A study has no dimension of its own. */
 static void list_studies(void)
 {
@@ -69,22 +80,25 @@ static void list_studies(void)
 
 static int list(int argc, char **argv, Fault *fault)
 {
-    static const char *const kinds[] = {"methods", "problems", "studies"};
-    static void (*const print[])(void) = {list_methods, list_problems, list_studies};
+    static const char *const kinds[] = {"methods", "problems", "studies", "integrators"};
+    static void (*const print[])(void) = {list_methods, list_problems, list_studies,
+                                          list_integrators};
     const char *kind = NULL;
     int found = 0, code = options_read(argc, argv, no_options, take_word, &kind, fault);
     if (code) return code;
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         if (kind && strcmp(kind, kinds[k]) != 0) continue;
         print[k]();
         found = 1;
     }
-    return found ? 0 : option_refuse(fault, "KIND", kind, "methods, problems or studies", kinds, 3);
+    return found ? 0
+                 : option_refuse(fault, "KIND", kind, "methods, problems, studies or integrators",
+                                 kinds, 4);
 }
 
 const Command list_command = {
     .name = "list",
-    .usage = "[methods|problems|studies]",
+    .usage = "[methods|problems|studies|integrators]",
     .about = "what there is: kind, name, dimensions and one line each, separated by tabs",
     .options = no_options,
     .run = list,
@@ -95,8 +109,10 @@ static int refuse_name(const char *name, Fault *fault)
     const char *names[192];
     int n = engine_problem_names(names, 64);
     n += engine_method_names(names + n, 64);
+    for (InfoList i = engines[0]->integrators; *i; i++) names[n++] = (*i)->name;
     for (const Study *const *s = studies; *s && n < 192; s++) names[n++] = (*s)->name;
-    return option_refuse(fault, "NAME", name ? name : "", "a problem, method or study", names, n);
+    return option_refuse(fault, "NAME", name ? name : "", "a problem, method, integrator or study",
+                         names, n);
 }
 
 static int describe_study(const char *name)
@@ -123,7 +139,8 @@ static int describe(int argc, char **argv, Fault *fault)
 const Command describe_command = {
     .name = "describe",
     .usage = "NAME",
-    .about = "parameters, defaults and sources of a problem or method; what a study does",
+    .about =
+        "parameters, defaults and sources of a problem, method or integrator; what a study does",
     .options = no_options,
     .run = describe,
 };

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "common/base/info.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 
 static int refuse_list(const char *what, const char *text, const char *takes, Fault *fault)
 {

@@ -10,10 +10,15 @@ static const Command *const commands[] = {&list_command,      &describe_command,
                                           &new_method_command};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
+static int is_help(const char *text)
+{
+    return strcmp(text, "--help") == 0 || strcmp(text, "-h") == 0;
+}
+
 /* What the program says of itself; 0 if text is none of these options. */
 static int says(const char *text)
 {
-    if (strcmp(text, "--help") == 0)
+    if (is_help(text))
         manual_help(commands, COMMANDS);
     else if (strcmp(text, "--man") == 0)
         manual_page(commands, COMMANDS);
@@ -29,24 +34,45 @@ static int says(const char *text)
 static int wants_help(int argc, char **argv)
 {
     for (int k = 1; k < argc && strcmp(argv[k], "--") != 0; k++)
-        if (strcmp(argv[k], "--help") == 0) return 1;
+        if (is_help(argv[k])) return 1;
     return 0;
+}
+
+/* The command of this name; NULL and a fault if there is none. */
+static const Command *command_named(const char *name, Fault *fault)
+{
+    const char *names[COMMANDS + 3] = {"help", "--help", "--version"};
+    for (int k = 0; k < COMMANDS; k++) {
+        if (strcmp(name, commands[k]->name) == 0) return commands[k];
+        names[k + 3] = commands[k]->name;
+    }
+    option_refuse(fault, "COMMAND", name, "one of those in --help", names, COMMANDS + 3);
+    return NULL;
+}
+
+/* `help` and `help COMMAND`. */
+static int help(int argc, char **argv, Fault *fault)
+{
+    if (argc > 2) return option_refuse(fault, "COMMAND", argv[2], "one command", NULL, 0);
+    const Command *c = argc == 2 ? command_named(argv[1], fault) : NULL;
+    if (c)
+        manual_command(c);
+    else if (argc < 2)
+        manual_help(commands, COMMANDS);
+    return c || argc < 2 ? 0 : FAULT_USAGE;
 }
 
 static int dispatch(int argc, char **argv, Fault *fault)
 {
-    const char *names[COMMANDS + 2] = {"--help", "--version"};
     if (argc < 2)
         return fault_set(fault, FAULT_USAGE, "COMMAND: got nothing, takes one of those in --help");
     if (says(argv[1])) return 0;
-    for (int k = 0; k < COMMANDS; k++) {
-        names[k + 2] = commands[k]->name;
-        if (strcmp(argv[1], commands[k]->name) != 0) continue;
-        if (!wants_help(argc - 1, argv + 1)) return commands[k]->run(argc - 1, argv + 1, fault);
-        manual_command(commands[k]);
-        return 0;
-    }
-    return option_refuse(fault, "COMMAND", argv[1], "one of those in --help", names, COMMANDS + 2);
+    if (strcmp(argv[1], "help") == 0) return help(argc - 1, argv + 1, fault);
+    const Command *c = command_named(argv[1], fault);
+    if (!c) return FAULT_USAGE;
+    if (!wants_help(argc - 1, argv + 1)) return c->run(argc - 1, argv + 1, fault);
+    manual_command(c);
+    return 0;
 }
 
 int main(int argc, char **argv)

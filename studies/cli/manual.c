@@ -9,7 +9,7 @@ static const char about[] = "Compares ways to move information between particles
 /* Options of the program itself. */
 static const Option own[] = {
     {"version", NULL, "version, compiler, flags, dimensions, OpenMP"},
-    {"help", NULL, "this text; after a command: its options"},
+    {"help", NULL, "this text (also help, -h); after a command: its options (also help COMMAND)"},
     {"man", NULL, "all of it as a manual page (man -l)"},
     {"completion", NULL, "completion of words for bash"},
     {NULL, NULL, NULL},
@@ -127,7 +127,7 @@ static const char *words_of(const Command *c)
 {
     if (strstr(c->usage, "PROBLEM")) return "$(_mpmlab_names problems)";
     if (strstr(c->usage, "NAME|all")) return "all $(_mpmlab_names studies)";
-    if (strstr(c->usage, "methods|")) return "methods problems studies";
+    if (strstr(c->usage, "methods|")) return "methods problems studies integrators";
     return strncmp(c->usage, "NAME", 4) == 0 ? "$(_mpmlab_names)" : "";
 }
 
@@ -144,7 +144,7 @@ void manual_completion(const Command *const commands[], int n)
            "    local words='' word=${COMP_WORDS[COMP_CWORD]}\n"
            "    case ${COMP_WORDS[COMP_CWORD - 1]} in\n"
            "    --method) words=$(_mpmlab_names methods) ;;\n"
-           "    --integrator) words='cd uvf musl usl usf' ;;\n"
+           "    --integrator) words=$(_mpmlab_names integrators) ;;\n"
            "    --csv | --history | --particles | --nodes | --samples | --errors | --patches | "
            "--vtk | "
            "--out | --name) return ;;\n"

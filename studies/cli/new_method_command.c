@@ -10,8 +10,8 @@
 #include <unistd.h>
 #include "common/base/table.h"
 #include "cli.h"
-#include "studies/runs/memory.h"
-#include "studies/runs/run_args.h"
+#include "studies/runs/must.h"
+#include "studies/runs/engines.h"
 
 enum { LONGEST = 31 };
 

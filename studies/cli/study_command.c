@@ -6,13 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
+#include <time.h>
 #include <unistd.h>
 #include "studies/engine/claims.h"
 #include "cli.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/scoreboard/page.h"
 #include "studies/engine/plot.h"
-#include "studies/runs/run_args.h"
+#include "studies/runs/engines.h"
+#include "studies/runs/options.h"
 #include "studies/engine/run_study.h"
 
 typedef struct StudyArgs {
@@ -115,6 +117,22 @@ static int publish(Check *check, bool judged, const char *dir, Fault *fault)
     return code;
 }
 
+static double seconds_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* One line per study of `study all`, so that a log shows how far it is. */
+static void report_study(const Study *study, const StudyOptions *o, bool failed, double since)
+{
+    if (o->action == STUDY_LIST) return;
+    fprintf(stderr, "mpmlab: %s: %s", study->name, failed ? "failed" : "done");
+    if (!o->methods) fprintf(stderr, ", %d cases", study_case_count(study, o->quick));
+    fprintf(stderr, ", %.1f s\n", seconds_now() - since);
+}
+
 /* Runs one study or all; the first fault is kept, but only an interruption ends the rest. */
 static int run_studies(const StudyArgs *args, Fault *fault)
 {
@@ -122,8 +140,11 @@ static int run_studies(const StudyArgs *args, Fault *fault)
     bool drawn = true;
     for (const Study *const *s = studies; *s && code != FAULT_INTERRUPTED; s++) {
         Fault f = {0};
-        if (strcmp(args->name, "all") != 0 && strcmp(args->name, (*s)->name) != 0) continue;
+        const bool all = strcmp(args->name, "all") == 0;
+        const double start = seconds_now();
+        if (!all && strcmp(args->name, (*s)->name) != 0) continue;
         int got = run_study(*s, &args->options, &f);
+        if (all) report_study(*s, &args->options, got && got != PLOT_NO_GNUPLOT, start);
         if (got == PLOT_NO_GNUPLOT)
             drawn = false;
         else if (got && (code == 0 || got == FAULT_INTERRUPTED)) {

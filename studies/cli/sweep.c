@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "common/base/info.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/runs/run_args.h"
 
 bool sweep_is_numeric(const List *list)

@@ -49,8 +49,8 @@ int sweep_choose(Sweep *sweep, FILE *notes, Fault *fault);
 
 void sweep_free(Sweep *sweep);
 
-/* From dir/NAME.csv, whose rows are those of the chosen combinations: NAME.curves.csv (series, x,
- * y, status), NAME.orders.csv (one line per curve) and NAME.var for the figure. 0 or a fault. */
-int sweep_tables(const Sweep *sweep, const char *dir, const char *name, Fault *fault);
+/* From the rows, which are those of the chosen combinations: NAME.curves.csv (series, x, y,
+ * status), NAME.orders.csv (one line per curve) and NAME.var for the figure. */
+void sweep_tables(const Sweep *sweep, const Results *results);
 
 #endif

@@ -1,7 +1,7 @@
 /* sweep_command.c: `sweep`: lists of run options into a study of its own, without a page of C. */
 #include <string.h>
 #include "cli.h"
-#include "studies/tables/curves.h"
+#include "studies/runs/engines.h"
 #include "studies/engine/plot.h"
 #include "studies/runs/run_args.h"
 #include "studies/engine/run_study.h"
@@ -37,15 +37,10 @@ static const Option sweep_options[] = {
 
 static int take_problem(Sweep *s, const char *got, Fault *fault)
 {
-    const char *names[64];
-    const int n = engine_problem_names(names, 64);
     if (s->problem[0]) return option_refuse(fault, "PROBLEM", got, "one problem only", NULL, 0);
-    for (int k = 0; k < n; k++) {
-        if (strcmp(names[k], got) != 0) continue;
-        snprintf(s->problem, sizeof s->problem, "%s", got);
-        return 0;
-    }
-    return option_refuse(fault, "PROBLEM", got, "a problem", names, n);
+    if (engine_check_problem(got, fault)) return FAULT_USAGE;
+    snprintf(s->problem, sizeof s->problem, "%s", got);
+    return 0;
 }
 
 /* It becomes part of file names, in which a dot divides a table from its parts. */
@@ -116,10 +111,9 @@ static void cases(Cases *list, bool quick)
     }
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *results)
 {
-    (void)quick;
-    return sweep_tables(&asked.sweep, dir, asked.name, fault);
+    sweep_tables(&asked.sweep, results);
 }
 
 /* The files that a sweep has more than a study, before its runs. */

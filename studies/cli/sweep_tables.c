@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 #include "common/base/info.h"
-#include "studies/tables/curves.h"
+#include "studies/select.h"
 #include "sweep.h"
 
 enum { MOST_TICS = 12, REASON_TEXT = 128 };
@@ -45,21 +45,21 @@ static double x_of(const Curves *c, int row)
     const char *column = strcmp(c->x, "t-end") == 0 ? "t_end" : c->x;
     double x = NAN;
     for (size_t k = 0; k < sizeof columns / sizeof *columns; k++)
-        if (strcmp(columns[k], column) == 0) x = table_number(c->rows, row, column);
+        if (strcmp(columns[k], column) == 0) x = select_number(c->rows, row, column);
     if (strcmp(column, "steps") == 0 && !select_is_lost(c->rows, row))
-        x = table_number(c->rows, row, column);
+        x = select_number(c->rows, row, column);
     return isfinite(x) ? x : asked(c, row);
 }
 
 static double y_of(const Curves *c, int row)
 {
-    return table_number(c->rows, row, c->y);
+    return select_number(c->rows, row, c->y);
 }
 
 static bool has_any(const Table *rows, const char *column)
 {
     for (int row = 0; row < rows->nrow; row++)
-        if (isfinite(table_number(rows, row, column))) return true;
+        if (isfinite(select_number(rows, row, column))) return true;
     return false;
 }
 
@@ -86,8 +86,8 @@ typedef struct Sums {
 
 static void add_row(const Curves *c, int row, Sums *s)
 {
-    const double y = y_of(c, row), steps = table_number(c->rows, row, "steps");
-    const double at = steps * table_number(c->rows, row, "dt"), end = isfinite(at) ? at : 0;
+    const double y = y_of(c, row), steps = select_number(c->rows, row, "steps");
+    const double at = steps * select_number(c->rows, row, "dt"), end = isfinite(at) ? at : 0;
     if (s->finished++ == 0) s->end = end;
     s->same_end = s->same_end && fabs(end - s->end) <= 1e-9 * fabs(s->end);
     s->zeros += !(fabs(y) > 0) && isfinite(y);
@@ -162,27 +162,20 @@ static void number(FILE *f, double x, const char *after)
     fputs(after, f);
 }
 
-static int write_curves(const Curves *c, const char *path, Fault *fault)
+static void write_curves(FILE *f, const Curves *c)
 {
-    FILE *f = file_begin(path, fault);
-    if (!f) return FAULT_MACHINE;
-    fprintf(f, "series,%s,%s,status\n", c->x, c->y);
     for (Part p = {0}; next_part(c, &p);)
         for (int row = p.first; row < p.first + p.n; row++) {
             fprintf(f, "%d,", p.series);
             number(f, x_of(c, row), ",");
             number(f, y_of(c, row), ",");
-            fprintf(f, "%s\n", table_text(c->rows, row, "status"));
+            fprintf(f, "%s\n", select_text(c->rows, row, "status"));
         }
-    return file_commit(f, path, fault);
 }
 
-static int write_orders(const Curves *c, const char *path, Fault *fault)
+static void write_orders(FILE *f, const Curves *c)
 {
-    FILE *f = file_begin(path, fault);
     char text[256];
-    if (!f) return FAULT_MACHINE;
-    fputs("series,curve,along,quantity,cases,lost,order,order_error,reason\n", f);
     for (Part p = {0}; next_part(c, &p);) {
         const Order o = order_of(c, &p);
         snprintf(text, sizeof text, "%s", c->sweep->problem);
@@ -198,7 +191,6 @@ static int write_orders(const Curves *c, const char *path, Fault *fault)
             fputs("\"\"", f); /* gnuplot reads an empty last cell as part of another */
         putc('\n', f);
     }
-    return file_commit(f, path, fault);
 }
 
 /* From the least to the largest; NAN both of nothing. */
@@ -246,12 +238,10 @@ static void write_tics(FILE *f, const Curves *c)
         }
 }
 
-static int write_names(const Curves *c, const char *path, Fault *fault)
+static void write_names(FILE *f, const Curves *c)
 {
     Range x, y;
     find_ranges(c, &x, &y);
-    FILE *f = file_begin(path, fault);
-    if (!f) return FAULT_MACHINE;
     fprintf(f, "problem = '%s'\nx_name = '%s'\ny_name = '%s'\nnumeric = %d\nx_log = %d\n",
             c->sweep->problem, c->x, c->y, c->sweep->across >= 0,
             c->sweep->across >= 0 && x.low > 0 && x.high >= 4 * x.low);
@@ -260,7 +250,6 @@ static int write_names(const Curves *c, const char *path, Fault *fault)
     fputs("x_tics = '", f);
     write_tics(f, c);
     fputs("'\n", f);
-    return file_commit(f, path, fault);
 }
 
 /* A run ends at t_end in any case. */
@@ -268,30 +257,26 @@ static void note_steps(const Table *rows)
 {
     int n = 0;
     for (int row = 0; row < rows->nrow; row++)
-        n += strcmp(table_text(rows, row, "status"), "ok") == 0 &&
-             select_setting(rows, row, "steps") > table_number(rows, row, "steps");
+        n += strcmp(select_text(rows, row, "status"), "ok") == 0 &&
+             select_number(rows, row, "set.steps") > select_number(rows, row, "steps");
     if (n)
         fprintf(stderr, "mpmlab: %d of %d runs reached t_end before the steps of --set steps\n", n,
                 rows->nrow);
 }
 
-int sweep_tables(const Sweep *sweep, const char *dir, const char *name, Fault *fault)
+void sweep_tables(const Sweep *sweep, const Results *r)
 {
-    char path[PATH_TEXT];
-    Table *rows = table_read_part(dir, name, NULL, fault);
-    if (!rows) return FAULT_MACHINE;
-    Curves c = {sweep, rows, "case", quantity(rows), (int)sweep_size(sweep)};
+    char header[160];
+    Curves c = {sweep, r->rows, "case", quantity(r->rows), (int)sweep_size(sweep)};
     if (sweep->across >= 0) {
         c.x = sweep->axis[sweep->across].name;
         c.length = sweep->axis[sweep->across].list.n;
     }
-    table_part_path(path, dir, name, "curves");
-    int code = write_curves(&c, path, fault);
-    table_part_path(path, dir, name, "orders");
-    if (code == 0) code = write_orders(&c, path, fault);
-    snprintf(path, sizeof path, "%s/%s.var", dir, name);
-    if (code == 0) code = write_names(&c, path, fault);
-    note_steps(rows);
-    table_free(rows);
-    return code;
+    snprintf(header, sizeof header, "series,%s,%s,status", c.x, c.y);
+    write_curves(results_write(r, "curves", header), &c);
+    write_orders(results_write(r, "orders",
+                               "series,curve,along,quantity,cases,lost,order,order_error,reason"),
+                 &c);
+    write_names(results_write_notes(r), &c);
+    note_steps(r->rows);
 }

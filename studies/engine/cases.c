@@ -2,12 +2,13 @@
 #include "cases.h"
 
 #include <stdarg.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include <zlib.h>
 #include "facts.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/runs/run_args.h"
 
 static unsigned long add_checksum(unsigned long sum, const char *text)
@@ -31,7 +32,7 @@ static bool in_list(const char *words, const char *name)
     return false;
 }
 
-static void add(Cases *cases, const char *kind, const char *file, const char *text)
+static void add(Cases *cases, const char *kind, const char *part, const char *text)
 {
     char command[SPEC_TEXT];
     Case c = {.kind = kind};
@@ -45,7 +46,7 @@ static void add(Cases *cases, const char *kind, const char *file, const char *te
     spec_command(&c.spec, command);
     c.command = must_text("%s", command);
     c.key = must_text("%s %s", command, cases->program);
-    c.file = file ? must_text("%s/%s", cases->dir, file) : NULL;
+    c.file = part ? must_text("%s/%s.%s.csv", cases->dir, cases->name, part) : NULL;
     cases->list = must_grow(cases->list, cases->n, sizeof c);
     cases->list[cases->n++] = c;
 }
@@ -60,33 +61,33 @@ void case_add(Cases *cases, const char *format, ...)
     add(cases, NULL, NULL, text);
 }
 
-void case_add_with(Cases *cases, const char *kind, const char *file, const char *format, ...)
+void case_add_with(Cases *cases, const char *kind, const char *part, const char *format, ...)
 {
     char text[SPEC_TEXT];
     va_list args;
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
-    add(cases, kind, file, text);
+    add(cases, kind, part, text);
 }
 
 /* Points the run's output option at the case's file; the list no longer moves. */
 static void set_outputs(Cases *cases)
 {
+    static const struct {
+        const char *kind;
+        size_t at;
+    } outputs[] = {
+        {"history", offsetof(RunSpec, history)}, {"particles", offsetof(RunSpec, particles)},
+        {"nodes", offsetof(RunSpec, nodes)},     {"samples", offsetof(RunSpec, samples)},
+        {"errors", offsetof(RunSpec, errors)},   {"patches", offsetof(RunSpec, patches)}};
+    enum { OUTPUTS = sizeof outputs / sizeof *outputs };
     for (Case *c = cases->list; c < cases->list + cases->n; c++) {
+        int k = 0;
         if (!c->file) continue;
-        if (strcmp(c->kind, "history") == 0)
-            c->spec.history = c->file;
-        else if (strcmp(c->kind, "particles") == 0)
-            c->spec.particles = c->file;
-        else if (strcmp(c->kind, "nodes") == 0)
-            c->spec.nodes = c->file;
-        else if (strcmp(c->kind, "samples") == 0)
-            c->spec.samples = c->file;
-        else if (strcmp(c->kind, "errors") == 0)
-            c->spec.errors = c->file;
-        else if (strcmp(c->kind, "patches") == 0)
-            c->spec.patches = c->file;
+        while (k < OUTPUTS && strcmp(c->kind, outputs[k].kind) != 0) k++;
+        if (k < OUTPUTS)
+            *(const char **)((char *)&c->spec + outputs[k].at) = c->file;
         else
             fault_set(&cases->fault, FAULT_USAGE, "case file of unknown kind '%s'", c->kind);
     }
@@ -102,7 +103,7 @@ static int finish(Cases *cases, const Study *study, Fault *fault)
 int cases_build(Cases *cases, const Study *study, bool quick, const char *methods, const char *dir,
                 Fault *fault)
 {
-    *cases = (Cases){.dir = dir, .methods = methods};
+    *cases = (Cases){.dir = dir, .name = study->name, .methods = methods};
     snprintf(cases->program, sizeof cases->program, "%08lx", program_checksum());
     if (study->cases) study->cases(cases, quick);
     cases->listed = cases->n;

@@ -18,6 +18,7 @@ struct Cases {
     int n, listed; /* listed: those of the study's own list; rows asked for the others */
     Case *list;
     const char *dir;     /* where files go */
+    const char *name;    /* the study's: files are NAME.PART.csv */
     const char *methods; /* keep only these ("mpm,gimp"), or NULL: all */
     char program[16];    /* what this program was built from: the last word of every key */
     Fault fault;         /* the first wrong case, if any */

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "common/base/info.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
+#include "results.h"
 #include "sidecar.h"
 
 const char *claim_verdict_name(Verdict v)
@@ -29,7 +30,7 @@ static void write_note(FILE *out, const char *name, double value)
 
 void claim_note(Check *check, const char *name, double value)
 {
-    write_note(check->notes, name, value);
+    write_note(check->stream, name, value);
 }
 
 static void add(Check *check, const char *id, const char *statement, Verdict verdict,
@@ -76,7 +77,7 @@ void claim_differs(Check *check, const char *id, const char *statement, Measure 
     const double bounds[] = {low, high};
     char why[128];
     why_not(measured, why);
-    write_note(check->notes, id, measured.value);
+    write_note(check->stream, id, measured.value);
     if (*why)
         add(check, id, statement, FAIL, bounds, measured, why);
     else if (within(measured.value, low, high))
@@ -87,33 +88,25 @@ void claim_differs(Check *check, const char *id, const char *statement, Measure 
         add(check, id, statement, FAIL, bounds, measured, "outside [low, high]");
 }
 
-Table *claim_part(Check *check, const char *dir, const char *part)
-{
-    Table *t = table_read_part(dir, check->study->name, part, NULL);
-    if (t) return t;
-    snprintf(check->missing, sizeof check->missing, "%s.%s.csv", check->study->name, part);
-    return must(calloc(1, sizeof *t));
-}
-
-static void fail_all(Check *check, int from)
+static void fail_all(Check *check, int from, const char *missing)
 {
     for (Claim *c = check->list + from; c < check->list + check->n; c++) {
         c->verdict = FAIL;
         c->judged = false;
-        snprintf(c->reason, sizeof c->reason, "%s is not there or is no table", check->missing);
+        snprintf(c->reason, sizeof c->reason, "%s is not there or is no table", missing);
     }
 }
 
 int claims_judge_study(Check *check, const Study *study, const char *dir, Fault *fault)
 {
     const int before = check->n;
-    Table *rows = table_read_part(dir, study->name, NULL, fault);
-    if (!rows) return FAULT_MACHINE;
+    Results *r = results_open(study, dir, false);
     check->study = study;
-    check->missing[0] = '\0';
-    study->check(check, rows, dir);
-    table_free(rows);
-    if (check->missing[0]) fail_all(check, before);
+    check->stream = check->notes ? results_write_notes(r) : NULL;
+    study->check(check, r);
+    if (results_missing(r)[0]) fail_all(check, before, results_missing(r));
+    const int code = results_close(r, fault);
+    if (code) return code;
     if (check->n - before == study->claims) return 0;
     return fault_set(fault, FAULT_MACHINE, "study %s: makes %d claims, declares %d", study->name,
                      check->n - before, study->claims);

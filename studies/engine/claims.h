@@ -18,10 +18,10 @@ typedef struct Claim {
 /* Collects the claims of one study or of several, one after the other. */
 struct Check {
     const Study *study; /* the one that is checking now */
-    char missing[192];  /* a table that its claims need and that is not there, or "" */
     int n;
     Claim *list;
-    FILE *notes; /* NAME.var, or NULL */
+    bool notes;   /* write NAME.var, too */
+    FILE *stream; /* it, while a study checks */
 };
 
 const char *claim_verdict_name(Verdict v);

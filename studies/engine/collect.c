@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 #include <zlib.h>
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "run_study.h"
 
 /* The place of case k's row: its number in the list, and a checksum of its key. */

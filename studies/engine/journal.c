@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +13,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
-#include "studies/runs/memory.h"
+#include "common/base/info.h"
+#include "common/base/table.h"
+#include "studies/runs/must.h"
 
 enum { HEAD = 18 }; /* "%08zu %08lx " */
 
@@ -35,10 +38,43 @@ static size_t record_at(const char *text, size_t n)
     return memchr(body, '\t', length) ? HEAD + length + 1 : 0;
 }
 
+/* Is the word of n letters a number? The last word, the program's checksum, is none. */
+static bool is_number(const char *word, size_t n, double *x)
+{
+    char text[64];
+    if (!word[n] || n >= sizeof text) return false;
+    snprintf(text, sizeof text, "%.*s", (int)n, word);
+    return info_number_parse(text, x) == 0;
+}
+
+static int compare_words(const char *a, size_t n, const char *b, size_t m)
+{
+    double x = 0, y = 0;
+    const int order = memcmp(a, b, n < m ? n : m);
+    if (order == 0 && n == m && !a[n] == !b[m]) return 0;
+    const bool is_x = is_number(a, n, &x), is_y = is_number(b, m, &y);
+    if (is_x && is_y) return (x > y) - (x < y);
+    if (is_x != is_y) return is_x ? -1 : 1;
+    return order ? order : (n > m) - (n < m);
+}
+
+int journal_compare_keys(const char *a, const char *b)
+{
+    for (;;) {
+        const size_t n = strcspn(a, " ="), m = strcspn(b, " =");
+        const int order = compare_words(a, n, b, m);
+        if (order) return order;
+        if (a[n] != b[m]) return a[n] < b[m] ? -1 : 1;
+        if (!a[n]) return 0;
+        a += n + 1;
+        b += m + 1;
+    }
+}
+
 static int by_key(const void *a, const void *b)
 {
     const Record *x = a, *y = b;
-    int order = strcmp(x->key, y->key);
+    int order = journal_compare_keys(x->key, y->key);
     return order ? order : (x->key > y->key) - (x->key < y->key); /* then by place in the file */
 }
 
@@ -66,7 +102,7 @@ static void sort_unique(Journal *j)
     int n = 0;
     if (j->n) qsort(j->records, (size_t)j->n, sizeof *j->records, by_key);
     for (int k = 0; k < j->n; k++) {
-        if (n && strcmp(j->records[n - 1].key, j->records[k].key) == 0) n--;
+        if (n && journal_compare_keys(j->records[n - 1].key, j->records[k].key) == 0) n--;
         j->records[n++] = j->records[k];
     }
     j->n = n;
@@ -132,7 +168,7 @@ int journal_open(Journal *j, const char *path, Fault *fault)
 const char *journal_row(const Journal *j, const char *key)
 {
     for (int low = 0, high = j->n; low < high;) {
-        int middle = (low + high) / 2, order = strcmp(key, j->records[middle].key);
+        int middle = (low + high) / 2, order = journal_compare_keys(key, j->records[middle].key);
         if (order == 0) return j->records[middle].row;
         if (order < 0)
             high = middle;
@@ -158,6 +194,91 @@ int journal_append(int fd, const char *key, const char *row)
     int error = done < 0 ? errno : ENOSPC;
     free(line);
     return done == whole ? 0 : error;
+}
+
+/* ---- Journals lose the rows of programs that are gone */
+
+/* What the key says of the program that made the row: its last word. */
+static const char *program_of(const char *key)
+{
+    const char *space = strrchr(key, ' ');
+    return space ? space + 1 : key;
+}
+
+static int is_among(const char *const *programs, int n, const char *program)
+{
+    for (int k = 0; k < n; k++)
+        if (strcmp(programs[k], program) == 0) return 1;
+    return 0;
+}
+
+static int by_place(const void *a, const void *b)
+{
+    const Record *x = a, *y = b;
+    return (x->key > y->key) - (x->key < y->key);
+}
+
+/* The programs to keep: this one, then those of the file's last rows. */
+static int newest_programs(const Record *records, int n, const char *program,
+                           const char *programs[MOST_PROGRAMS])
+{
+    int kept = 0;
+    programs[kept++] = program;
+    for (int k = n - 1; k >= 0 && kept < MOST_PROGRAMS; k--)
+        if (!is_among(programs, kept, program_of(records[k].key)))
+            programs[kept++] = program_of(records[k].key);
+    return kept;
+}
+
+/* Writes the rows to keep, in the order they were made. How many bytes. */
+static off_t write_kept(FILE *f, const Record *records, int n, const char *program)
+{
+    const char *programs[MOST_PROGRAMS];
+    off_t size = 0;
+    int kept = newest_programs(records, n, program, programs);
+    for (int k = 0; k < n; k++) {
+        if (!is_among(programs, kept, program_of(records[k].key))) continue;
+        char *line = journal_line(records[k].key, records[k].row);
+        fputs(line, f);
+        size += (off_t)strlen(line);
+        free(line);
+    }
+    return size;
+}
+
+/* The new file under the old name, locked before it gets there. */
+static int replace(Journal *j, FILE *f, const char *path, Fault *fault)
+{
+    int fd = fcntl(fileno(f), F_DUPFD_CLOEXEC, 3);
+    if (fd < 0 || fcntl(fd, F_SETFL, O_APPEND) != 0 || flock(fd, LOCK_EX) != 0) {
+        int error = errno;
+        if (fd >= 0) close(fd);
+        file_abandon(f, path);
+        return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(error));
+    }
+    int code = file_commit(f, path, fault);
+    close(code ? fd : j->fd);
+    if (code) return code;
+    j->fd = fd;
+    return journal_reload(j, path, fault);
+}
+
+int journal_compact(Journal *j, const char *path, const char *program, Fault *fault)
+{
+    struct stat s;
+    if (journal_reload(j, path, fault)) return FAULT_MACHINE;
+    const size_t bytes = sizeof(Record) * (size_t)(j->n + 1);
+    if (j->n == 0 || fstat(j->fd, &s) != 0) return 0;
+    FILE *f = file_begin(path, fault);
+    if (!f) return FAULT_MACHINE;
+    Record *records = must(malloc(bytes));
+    memcpy(records, j->records, sizeof(Record) * (size_t)j->n);
+    qsort(records, (size_t)j->n, sizeof(Record), by_place);
+    off_t size = write_kept(f, records, j->n, program);
+    free(records);
+    if (size < s.st_size) return replace(j, f, path, fault);
+    file_abandon(f, path);
+    return 0;
 }
 
 void journal_close(Journal *j)

@@ -31,6 +31,9 @@ int journal_compact(Journal *j, const char *path, const char *program, Fault *fa
 /* Reads again what has been appended since. */
 int journal_reload(Journal *j, const char *path, Fault *fault);
 
+/* Order of keys: words that are numbers by value, so that 0.3 and 0.29999999999999999 are one. */
+int journal_compare_keys(const char *a, const char *b);
+
 /* The row with that key, or NULL; valid until the next reload. */
 const char *journal_row(const Journal *j, const char *key);
 

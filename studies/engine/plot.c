@@ -11,7 +11,8 @@
 #include <time.h>
 #include <unistd.h>
 #include "gnuplot.h"
-#include "studies/runs/memory.h"
+#include "palette.h"
+#include "studies/runs/must.h"
 
 /* A figure is drawn as svg and png by NAME.gp; a moving picture by NAME.gif.gp, if there is one. */
 static const struct {
@@ -100,7 +101,10 @@ static int draw_format(const Study *study, const char *dir, const char *plots, i
     char *out = must_text("/proc/self/fd/%d", f ? fileno(f) : -1);
     const char *const values[][2] = {{"fmt", format},       {"out", out}, {"dir", dir},
                                      {"name", study->name}, {"csv", csv}, {"plots", plots}};
-    char *set = settings(values, 6);
+    char *own_set = settings(values, 6), *palette = palette_settings();
+    char *set = must_text("%s%s", palette, own_set);
+    free(own_set);
+    free(palette);
     int code = f ? draw(set, script, f, whole, fault) : FAULT_MACHINE;
     free(set);
     free(out);

@@ -10,7 +10,7 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "progress.h"
 #include "signals.h"
 

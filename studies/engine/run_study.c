@@ -1,13 +1,11 @@
 /* run_study.c: one study from its cases to its figure: journal, table, sidecar, notes, plot. */
-#include <errno.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
 #include "claims.h"
 #include "collect.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "plot.h"
 #include "pool.h"
+#include "results.h"
 #include "sidecar.h"
 #include "run_study.h"
 
@@ -18,21 +16,6 @@ int study_case_count(const Study *study, bool quick)
     int n = code ? 0 : cases.n;
     cases_free(&cases);
     return n;
-}
-
-int file_make_folder(const char *path, Fault *fault)
-{
-    char *part = must_text("%s", path);
-    int failed = 0;
-    for (char *c = part + 1; !failed && *c; c++) {
-        if (*c != '/') continue;
-        *c = '\0';
-        failed = mkdir(part, 0777) != 0 && errno != EEXIST;
-        *c = '/';
-    }
-    failed = failed || (mkdir(part, 0777) != 0 && errno != EEXIST);
-    free(part);
-    return failed ? fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno)) : 0;
 }
 
 static int run_missing(const Study *study, const StudyOptions *o, const Cases *cases,
@@ -77,31 +60,19 @@ static int run_cases(const Study *study, const StudyOptions *o, Cases *cases, Jo
     return code;
 }
 
-/* NAME.var: what the check measured, for the figure's key. */
-static int write_notes(const Study *study, const char *dir, Fault *fault)
-{
-    if (!study->check) return 0;
-    char *path = must_text("%s/%s.var", dir, study->name);
-    Check check = {.notes = file_begin(path, fault)};
-    int code = check.notes ? claims_judge_study(&check, study, dir, fault) : FAULT_MACHINE;
-    if (check.notes && code)
-        file_abandon(check.notes, path);
-    else if (check.notes)
-        code = file_commit(check.notes, path, fault);
-    free(check.list);
-    free(path);
-    return code;
-}
-
 /* Everything behind the runs. A study without cases writes its NAME.csv itself, in tables(). */
 static int finish(const Study *study, const StudyOptions *o, const Cases *cases,
                   const Journal *journal, Fault *fault)
 {
     int code = o->keep ? sidecar_keep(study, cases, o->dir, fault) : 0;
     if (code == 0) code = write_rows(study, o->dir, cases, journal, fault);
-    if (code == 0 && study->tables) code = study->tables(o->dir, o->quick, fault);
+    if (code == 0 && study->tables) code = results_tables(study, o->dir, o->quick, fault);
     if (code == 0) code = sidecar_write(study, cases, o->dir, fault);
-    if (code == 0) code = write_notes(study, o->dir, fault);
+    if (code == 0 && study->check) {
+        Check check = {.notes = true};
+        code = claims_judge_study(&check, study, o->dir, fault);
+        free(check.list);
+    }
     return code ? code : plot_study(study, o->dir, fault);
 }
 

@@ -15,9 +15,6 @@ typedef struct StudyOptions {
     StudyAction action;
 } StudyOptions;
 
-/* Makes a folder and those above it. 0 or a fault. */
-int file_make_folder(const char *path, Fault *fault);
-
 /* 0; PLOT_NO_GNUPLOT: done but for the figure; 130: interrupted; or a fault. */
 int run_study(const Study *study, const StudyOptions *options, Fault *fault);
 

@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <zlib.h>
 #include "facts.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 
 /* Prints the cells of one row (a line without quotes), those of one sort: timing or not. */
 static void print_cells(FILE *f, const char *line, int timing)

@@ -11,10 +11,9 @@
  * axes; of a turned body they do not. */
 #include <gsl/gsl_rng.h>
 #include <math.h>
-#include "studies/tables/files.h"
+#include "studies/tables/curves.h"
 #include "studies/tables/grades.h"
 
-static const char name[] = "h_01_translation";
 enum { OFFSETS = 4, KINDS = 3, MESHES = 3, PER_CELL = 2 };
 #define STRETCH 1.0717
 #define ANGLE   30    /* degrees */
@@ -40,24 +39,24 @@ static void offsets(double out[OFFSETS][2])
     gsl_rng_free(r);
 }
 
-static void part_name(char part[96], const char *method, int kind, int mesh, int offset)
+static char *part_name(char part[96], const char *method, int kind, int mesh, int offset)
 {
     snprintf(part, 96, "%s.%s.%d.%d", method, kinds[kind].name, kinds[kind].cells[mesh], offset);
+    return part;
 }
 
 static void cases(Cases *list, bool quick)
 {
-    char part[96], file[160];
+    char part[96];
     double shift[OFFSETS][2];
     offsets(shift);
     for (int k = 0; k < KINDS; k++)
         for (const Info *const *m = kinds[k].engine->methods; *m; m++)
-            for (int i = 0; i < (quick ? 1 : MESHES) && has_grid(kinds[k].engine, (*m)->name); i++)
+            for (int i = 0;
+                 i < (quick ? 1 : MESHES) && engine_has_grid(kinds[k].engine, (*m)->name); i++)
                 for (int o = 0; o < (quick || i ? 1 : OFFSETS); o++) {
-                    part_name(part, (*m)->name, k, i, o);
-                    snprintf(file, sizeof file, "%s.%s.csv", name, part);
                     case_add_with(
-                        list, "nodes", file,
+                        list, "nodes", part_name(part, (*m)->name, k, i, o),
                         "run block --method %s --cells %d --integrator usl --set steps=1 "
                         "--set allow_unstable=1 --set %s --set stretch=%.17g --set angle=%g --set "
                         "drift_x=%g --set offset_x=%.6f --set offset_y=%.6f",
@@ -100,7 +99,7 @@ typedef struct Span {
 } Span;
 
 typedef struct Ask {
-    const Files *files;
+    const Results *results;
     const char *method;
     int kind, mesh, offset;
     const double *shift;
@@ -109,9 +108,9 @@ typedef struct Ask {
 
 static void take_node(Span *s, const Ask *a, double place, double f)
 {
-    s->low = lesser(s->low, f);
-    s->high = worse(s->high, f);
-    s->largest = worse(s->largest, fabs(f));
+    s->low = measure_lesser(s->low, f);
+    s->high = measure_worse(s->high, f);
+    s->largest = measure_worse(s->largest, fabs(f));
     s->n++;
     if (a->dots) fprintf(a->dots, "%s,%s,%.8g,%.8g\n", a->method, kinds[a->kind].name, place, f);
 }
@@ -123,16 +122,17 @@ static void take_nodes(Span *s, const Ask *a)
     const int dim = kinds[a->kind].engine->dim;
     const double h = 1.0 / kinds[a->kind].cells[a->mesh];
     const double dt = BLOCK_CFL * h / BLOCK_SPEED, unit = stress(dim) * (dim > 1 ? h : 1);
-    part_name(part, a->method, a->kind, a->mesh, a->offset);
-    Table *nodes = file_read(a->files, part);
+    Table *nodes =
+        results_file(a->results, part_name(part, a->method, a->kind, a->mesh, a->offset));
     s->files += nodes != NULL;
     for (int i = 0; nodes && i < nodes->nrow; i++) {
-        const double m = table_number(nodes, i, "mass") / (dt * unit);
-        const double x = table_number(nodes, i, "x") - 1.5 - a->shift[0] * h;
-        const double y = dim > 1 ? table_number(nodes, i, "y") - 1.5 - a->shift[1] * h : 0;
+        const double m = select_number(nodes, i, "mass") / (dt * unit);
+        const double x = select_number(nodes, i, "x") - 1.5 - a->shift[0] * h;
+        const double y = dim > 1 ? select_number(nodes, i, "y") - 1.5 - a->shift[1] * h : 0;
         if (!is_inside(kinds[a->kind].angle, x, y, h)) continue;
-        take_node(s, a, x, m * (table_number(nodes, i, "vx") - DRIFT * BLOCK_SPEED));
-        if (dim > 1) s->largest = worse(s->largest, fabs(m * table_number(nodes, i, "vy")));
+        take_node(s, a, x, m * (select_number(nodes, i, "vx") - DRIFT * BLOCK_SPEED));
+        if (dim > 1)
+            s->largest = measure_worse(s->largest, fabs(m * select_number(nodes, i, "vy")));
     }
     table_free(nodes);
 }
@@ -149,34 +149,15 @@ static Span all_nodes(Ask a)
     return s;
 }
 
-/* NAME.force.csv, a line a method, kind and mesh; NAME.dots.csv, a line a node of the coarsest bar.
- */
-static void write_forces(FILE *f, FILE *dots, const Files *files, bool quick)
+static void write_grades(FILE *f, const Table *t)
 {
-    fputs("method,kind,cells,nodes,largest,jump,status\n", f);
-    fputs("method,kind,x,force\n", dots);
-    for (int k = 0; k < KINDS; k++)
-        for (const Info *const *m = kinds[k].engine->methods; *m; m++)
-            for (int i = 0; i < MESHES; i++) {
-                FILE *drawn = k == 0 && i == 0 ? dots : NULL;
-                const Span s = all_nodes((Ask){files, (*m)->name, k, i, 0, NULL, drawn});
-                if (s.n == 0) continue;
-                fprintf(f, "%s,%s,%d,%d,%.10g,%.10g,%s\n", (*m)->name, kinds[k].name,
-                        kinds[k].cells[i], s.n, s.largest, s.high - s.low,
-                        s.files == (quick || i ? 1 : OFFSETS) ? "ok" : "lost");
-            }
-}
-
-static int write_grades(const char *dir, Fault *fault)
-{
-    Table *t = table_read_part(dir, name, "force", fault);
-    FILE *f = t ? grades_begin(dir, name, fault) : NULL;
-    for (const Info *const *m = engine_2d.methods; f && *m; m++) {
-        const double tiles = worse(curve_worst(t, (*m)->name, 1, "largest", "kind=bar").value,
-                                   curve_worst(t, (*m)->name, 1, "largest", "kind=stretch").value);
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
+        const double tiles =
+            measure_worse(curve_worst(t, (*m)->name, 1, "largest", "kind=bar").value,
+                          curve_worst(t, (*m)->name, 1, "largest", "kind=stretch").value);
         const double any =
-            worse(tiles, curve_worst(t, (*m)->name, 1, "largest", "kind=turned").value);
-        if (!has_grid(&engine_2d, (*m)->name)) continue;
+            measure_worse(tiles, curve_worst(t, (*m)->name, 1, "largest", "kind=turned").value);
+        if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
         grade_add(f, "H1", (*m)->name, grade_mark_of(any, NOTHING, 0.1),
                   any <= NOTHING     ? "no force inside, at any offset"
                   : tiles <= NOTHING ? "no force while boxes tile space; %.2g of |sigma| A in a "
@@ -184,61 +165,61 @@ static int write_grades(const char *dir, Fault *fault)
                                      : "forces up to %.2g of |sigma| A inside, on any mesh",
                   any);
     }
-    table_free(t);
-    return grades_end(f, dir, name, "grades", fault);
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+/* NAME.force.csv, a line per method, kind and mesh; NAME.dots.csv, a line per node of the coarsest
+ * bar. */
+static void tables(const Results *r)
 {
-    char path[PATH_TEXT], dots_path[PATH_TEXT];
-    Files files;
-    table_part_path(path, dir, name, "force");
-    table_part_path(dots_path, dir, name, "dots");
-    FILE *f = file_begin(path, fault), *dots = f ? file_begin(dots_path, fault) : NULL;
-    files_open(&files, dir, name);
-    if (dots) write_forces(f, dots, &files, quick);
-    files_close(&files);
-    if (f && !dots) file_abandon(f, path);
-    if (!dots || file_commit(f, path, fault) || file_commit(dots, dots_path, fault))
-        return FAULT_MACHINE;
-    return write_grades(dir, fault);
+    FILE *f = results_write(r, "force", "method,kind,cells,nodes,largest,jump,status");
+    FILE *dots = results_write(r, "dots", "method,kind,x,force");
+    for (int k = 0; k < KINDS; k++)
+        for (const Info *const *m = kinds[k].engine->methods; *m; m++)
+            for (int i = 0; i < MESHES; i++) {
+                FILE *drawn = k == 0 && i == 0 ? dots : NULL;
+                const Span s = all_nodes((Ask){r, (*m)->name, k, i, 0, NULL, drawn});
+                if (s.n == 0) continue;
+                fprintf(f, "%s,%s,%d,%d,%.10g,%.10g,%s\n", (*m)->name, kinds[k].name,
+                        kinds[k].cells[i], s.n, s.largest, s.high - s.low,
+                        s.files == (r->quick || i ? 1 : OFFSETS) ? "ok" : "lost");
+            }
+    write_grades(grades_write(r), results_part(r, "force"));
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *t = claim_part(c, dir, "force");
+    const Table *t = results_part(r, "force");
     const double share = 2 * STRETCH / (double)PER_CELL;
     claim(c, "H1.nodes", "nodes of the bar's coarsest mesh, each at another offset",
           select_value(t, "nodes", "method=mpm kind=bar cells=%d", kinds[0].cells[0]), 200, 1000);
     claim(c, "H1.tent", "tents: one crossing changes the force by 2 F/n: range over that",
-          times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[0]),
-                1 / share),
+          measure_times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[0]),
+                        1 / share),
           0.99, 1.01);
     claim(c, "H1.tent-h", "and it does not fall with h: range at the finest mesh over 2 F/n",
-          times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[2]),
-                1 / share),
+          measure_times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[2]),
+                        1 / share),
           0.99, 1.01);
     claim(c, "H1.gimp", "GIMP, GE-GIMP: no force while boxes tile space (bar, stretch)",
-          largest(curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=bar"),
-                  curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=stretch")),
+          measure_max(curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=bar"),
+                      curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=stretch")),
           0, NOTHING);
     claim(c, "H1.gimp-turned",
           "turned by 30 degrees they do not tile it, on any mesh: least of the forces",
           select_value(t, "largest", "method=gimp kind=turned cells=%d", kinds[2].cells[2]), 1e-3,
           1);
     claim(c, "H1.wls", "WLS in the plane and WLS2: no force, turned or not",
-          largest(curve_worst(t, "wls2", KINDS * MESHES, "largest", ""),
-                  largest(curve_worst(t, "wls", MESHES, "largest", "kind=stretch"),
-                          curve_worst(t, "wls", MESHES, "largest", "kind=turned"))),
+          measure_max(curve_worst(t, "wls2", KINDS * MESHES, "largest", ""),
+                      measure_max(curve_worst(t, "wls", MESHES, "largest", "kind=stretch"),
+                                  curve_worst(t, "wls", MESHES, "largest", "kind=turned"))),
           0, NOTHING);
     claim_differs(c, "H1.wls-bar", "WLS, the bar's coarsest mesh: runs lost, of four offsets",
-                  count_lost(rows, OFFSETS, "method=wls cells=64"), 0, 0, 1, 1,
+                  select_count_lost(r->rows, OFFSETS, "method=wls cells=64"), 0, 0, 1, 1,
                   "at one offset (.28 cells) a surface particle inverts in the first step");
-    table_free(t);
 }
 
 const Study study_h_01_translation = {
-    .name = name,
+    .name = "h_01_translation",
     .figure = "H1",
     .about = "a uniformly stressed body moves over the grid: forces where there are none",
     .cases = cases,

@@ -8,11 +8,9 @@
  * WLS does worse: what it fits through splines it returns through tents, and from a block that does
  * not lie on the grid's lines the mode draws energy until the run is lost. */
 #include <math.h>
-#include <string.h>
-#include "studies/tables/files.h"
+#include "studies/tables/curves.h"
 #include "studies/tables/grades.h"
 
-static const char name[] = "h_02_ringing";
 enum { STEPS = 1500, VARIANTS = 3 };
 static const int shown[] = {0,  1,   2,   3,   5,   7,   10,  15,   20,   30,  50,
                             70, 100, 150, 200, 300, 500, 700, 1000, 1200, 1500};
@@ -25,26 +23,25 @@ static const struct {
 
 static bool takes(const Engine *e, const Info *method, int variant)
 {
-    return has_grid(e, method->name) &&
-           (!variants[variant].param || has_param(method, variants[variant].param));
+    return engine_has_grid(e, method->name) &&
+           (!variants[variant].param || engine_takes(method, variants[variant].param));
 }
 
-static void part_name(char part[96], const char *method, int dim, int variant)
+static char *part_name(char part[96], const char *method, int dim, int variant)
 {
     snprintf(part, 96, "%s.%d.%d", method, dim, variant);
+    return part;
 }
 
 static void cases(Cases *list, bool quick)
 {
-    char part[96], file[128];
+    char part[96];
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
             for (int v = 0; v < VARIANTS; v++) {
                 const int cells = (*e)->dim == 1 ? 128 : 16, steps = quick ? 10 : STEPS;
                 if (!takes(*e, *m, v)) continue;
-                part_name(part, (*m)->name, (*e)->dim, v);
-                snprintf(file, sizeof file, "%s.%s.csv", name, part);
-                case_add_with(list, "history", file,
+                case_add_with(list, "history", part_name(part, (*m)->name, (*e)->dim, v),
                               "run block --method %s --cells %d --set dim=%d --set ripple=1e-4 "
                               "--set offset_x=0.3 --set offset_y=0.2 --t-end %.17g%s%s",
                               (*m)->name, cells, (*e)->dim,
@@ -53,16 +50,15 @@ static void cases(Cases *list, bool quick)
             }
 }
 
-static void write_one(FILE *f, const Files *files, const char *method, int dim, int variant)
+static void write_one(FILE *f, const Results *r, const char *method, int dim, int variant)
 {
     char part[96];
-    part_name(part, method, dim, variant);
-    Table *t = table_read_part(files->dir, name, part, NULL);
+    Table *t = results_left(r, part_name(part, method, dim, variant));
     for (int k = 0; t && k < SHOWN; k++)
         if (shown[k] < t->nrow)
             fprintf(f, "%s,%d,%s,%d,%.10g,%s\n", method, dim, variants[variant].name, shown[k],
-                    sqrt(table_number(t, shown[k], "kinetic") / table_number(t, 0, "kinetic")),
-                    file_status(files, part));
+                    sqrt(select_number(t, shown[k], "kinetic") / select_number(t, 0, "kinetic")),
+                    results_status(r, part));
     table_free(t);
 }
 
@@ -73,17 +69,16 @@ typedef struct Left {
 
 static Left left(const Table *t, const char *methods, int first, int variant)
 {
-    Left out = {least_of(0), largest_of(0)};
-    char words[128], *rest = words;
-    snprintf(words, sizeof words, "%s", methods);
-    for (char *m; (m = strtok_r(rest, " ", &rest));)
+    Left out = {measure_min_of(0), measure_max_of(0)};
+    char m[WORD_TEXT];
+    while (select_word(&methods, m))
         for (int dim = first; dim <= 2; dim++) {
             Curve c;
             curve_pick(&c, t, "step", "kept", "method=%s dim=%d variant=%s", m, dim,
                        variants[variant].name);
-            const Measure end = with_value(curve_max(&c, SHOWN), c.n ? c.y[c.n - 1] : NAN);
-            out.least = least(out.least, end);
-            out.most = largest(out.most, end);
+            const Measure end = measure_with(curve_max(&c, SHOWN), c.n ? c.y[c.n - 1] : NAN);
+            out.least = measure_min(out.least, end);
+            out.most = measure_max(out.most, end);
         }
     return out;
 }
@@ -91,22 +86,17 @@ static Left left(const Table *t, const char *methods, int first, int variant)
 /* The most that is left at the end, or to which it had grown when the run was lost. */
 static Measure last_left(const Table *t, const char *methods, int variant)
 {
-    Measure out = largest_of(0);
-    char words[128], *rest = words;
-    snprintf(words, sizeof words, "%s", methods);
-    for (char *m; (m = strtok_r(rest, " ", &rest));)
+    Measure out = measure_max_of(0);
+    char m[WORD_TEXT];
+    while (select_word(&methods, m))
         for (int dim = 1; dim <= 2; dim++) {
-            Measure last = sum_of(1);
-            for (int k = 0; k < SHOWN; k++) {
-                const Measure at =
-                    select_ended_value(t, "kept", "method=%s dim=%d variant=%s step=%d", m, dim,
-                                       variants[variant].name, shown[k]);
-                if (at.rows) last = at;
-            }
-            const Measure kept = select_value(t, "kept", "method=%s dim=%d variant=%s", m, dim,
-                                              variants[variant].name);
-            if (!kept.rows && !(last.value > 1.1)) last = measure(NAN, 0, 1);
-            out = largest(out, last);
+            const char *where = "method=%s dim=%d variant=%s", *which = variants[variant].name;
+            Measure last = measure_sum_of(1);
+            for (int row = -1; (row = select_next(t, row, where, m, dim, which)) >= 0;)
+                last = measure(select_number(t, row, "kept"), 1, 1);
+            const bool kept = select_value(t, "kept", where, m, dim, which).rows > 0;
+            if (!kept && !(last.value > 1.1)) last = measure(NAN, 0, 1);
+            out = measure_max(out, last);
         }
     return out;
 }
@@ -116,13 +106,10 @@ static Mark mark_kept(double part)
     return grade_mark_of(part, 0.1, 1.1);
 }
 
-static int write_grades(const char *dir, Fault *fault)
+static void write_grades(FILE *f, FILE *g, const Table *t)
 {
-    Table *t = table_read_part(dir, name, "kept", fault);
-    FILE *f = t ? grades_begin(dir, name, fault) : NULL;
-    FILE *g = f ? grades_remedies_begin(dir, name, fault) : NULL;
-    for (const Info *const *m = engine_2d.methods; g && *m; m++) {
-        if (!has_grid(&engine_2d, (*m)->name)) continue;
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
+        if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
         const double usual = last_left(t, (*m)->name, 0).value;
         grade_add(f, "H2", (*m)->name, mark_kept(usual),
                   usual > 1.1 ? "grows to %.3g times what it was in %d steps"
@@ -133,37 +120,25 @@ static int write_grades(const char *dir, Fault *fault)
                 grade_remedy_add(g, "H2", (*m)->name, variants[v].name, mark_kept(usual),
                                  mark_kept(last_left(t, (*m)->name, v).value));
     }
-    table_free(t);
-    const int code = grades_end(g, dir, name, "remedies", fault);
-    return grades_end(f, dir, name, "grades", fault) ? FAULT_MACHINE : code;
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
-    char path[PATH_TEXT];
-    Files files;
-    (void)quick;
-    table_part_path(path, dir, name, "kept");
-    FILE *f = file_begin(path, fault);
-    if (!f) return FAULT_MACHINE;
-    files_open(&files, dir, name);
-    fputs("method,dim,variant,step,kept,status\n", f);
+    FILE *f = results_write(r, "kept", "method,dim,variant,step,kept,status");
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
             for (int v = 0; v < VARIANTS; v++)
-                if (takes(*e, *m, v)) write_one(f, &files, (*m)->name, (*e)->dim, v);
-    files_close(&files);
-    return file_commit(f, path, fault) ? FAULT_MACHINE : write_grades(dir, fault);
+                if (takes(*e, *m, v)) write_one(f, r, (*m)->name, (*e)->dim, v);
+    write_grades(grades_write(r), grades_write_remedies(r), results_part(r, "kept"));
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *t = claim_part(c, dir, "kept");
-    (void)rows;
+    const Table *t = results_part(r, "kept");
     claim(c, "H2.flip", "FLIP keeps what the grid cannot see: least left at the end, five methods",
           left(t, "mpm gimp ge_mpm ge_gimp bspline", 1, 0).least, 0.9, 1.1);
     claim(c, "H2.pic", "PIC (order 1 of XPIC and FMPM), APIC and TPIC forget it: most left",
-          largest(left(t, "xpic fmpm", 1, 1).most, left(t, "apic tpic", 1, 0).most), 0, 0.1);
+          measure_max(left(t, "xpic fmpm", 1, 1).most, left(t, "apic tpic", 1, 0).most), 0, 0.1);
     claim(c, "H2.xpic", "XPIC(2) and FMPM(2) forget it, too: most left",
           left(t, "xpic fmpm", 1, 0).most, 0, 0.1);
     claim_differs(c, "H2.wls",
@@ -175,11 +150,10 @@ static void check(Check *c, const Table *rows, const char *dir)
           left(t, "wls", 1, 2).most, 0.9, 1.1);
     claim(c, "H2.wls2-spline", "which is less than a cure for WLS2 in the plane (our own pin)",
           left(t, "wls2", 2, 2).most, 1.1, 100);
-    table_free(t);
 }
 
 const Study study_h_02_ringing = {
-    .name = name,
+    .name = "h_02_ringing",
     .figure = "H2",
     .about = "particle velocities that the grid cannot see: who keeps them, who forgets",
     .cases = cases,

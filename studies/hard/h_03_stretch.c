@@ -12,10 +12,10 @@
  * (as in h_01_translation.c); sigma A F/n, all that a particle has, says that it is alone. */
 #include <math.h>
 #include <string.h>
-#include "studies/tables/files.h"
+#include "studies/tables/curves.h"
+#include "studies/runs/run_args.h"
 #include "studies/tables/grades.h"
 
-static const char name[] = "h_03_stretch";
 enum { KINDS = 3, VARIANTS = 2, EVERY = 4 };
 #define RATE  0.5 /* [c/m] */
 #define MOST  4.0 /* stretch */
@@ -32,17 +32,18 @@ static const struct {
     const char *name, *setting;
 } variants[VARIANTS] = {{"usual", ""}, {"undeformed", " --set domain=undeformed"}};
 
-static void part_name(char part[96], const char *method, int kind, int variant)
+static char *part_name(char part[96], const char *method, int kind, int variant)
 {
     snprintf(part, 96, "%s.%s.%s", method, kinds[kind].name, variants[variant].name);
+    return part;
 }
 
 /* After a step from rest the nodes of a stretched bar have v = f/m dt. */
 static void add_forces(Cases *list, const char *method, int kind)
 {
-    char file[128];
-    snprintf(file, sizeof file, "%s.%s.%s.force.csv", name, method, kinds[kind].name);
-    case_add_with(list, "nodes", file,
+    char part[96];
+    snprintf(part, sizeof part, "%s.%s.force", method, kinds[kind].name);
+    case_add_with(list, "nodes", part,
                   "run block --method %s --cells %d --ppc %d --integrator usl --set dim=1 --set "
                   "stretch=%g --set box=6 --set offset_x=0.3 --set steps=1 --set allow_unstable=1",
                   method, kinds[kind].cells, kinds[kind].ppc, MOST);
@@ -50,7 +51,7 @@ static void add_forces(Cases *list, const char *method, int kind)
 
 static void cases(Cases *list, bool quick)
 {
-    char part[96], file[128], text[256];
+    char part[96], text[256];
     for (int k = quick ? 1 : 0; k < (quick ? 2 : KINDS); k++)
         for (const Info *const *m = kinds[k].engine->methods; *m; m++)
             for (int v = 0; v < VARIANTS; v++) {
@@ -61,29 +62,28 @@ static void cases(Cases *list, bool quick)
                          "--set box=6 --t-end %.17g%s",
                          (*m)->name, kinds[k].cells, kinds[k].ppc, kinds[k].engine->dim, RATE,
                          ceil(log(MOST) / growth) * dt, variants[v].setting);
-                if (v > 0 && (!has_grid(kinds[k].engine, (*m)->name) || !is_run("%s", text)))
+                if (v > 0 &&
+                    (!engine_has_grid(kinds[k].engine, (*m)->name) || !run_args_is_run("%s", text)))
                     continue;
-                part_name(part, (*m)->name, k, v);
-                snprintf(file, sizeof file, "%s.%s.csv", name, part);
-                case_add_with(list, "history", file, "%s", text);
+                case_add_with(list, "history", part_name(part, (*m)->name, k, v), "%s", text);
                 if (v == 0 && kinds[k].engine->dim == 1) add_forces(list, (*m)->name, k);
             }
 }
 
 /* Largest force in the inner half of the bar over sigma A, A = 1 and E = 1e4; NAN if there is none.
  * Forces are those before the step, so that a run that is lost in it (status) has them, too. */
-static double force_inside(const Files *files, const char *method, int kind, const char **status)
+static double force_inside(const Results *r, const char *method, int kind, const char **status)
 {
     char part[96];
     const double dt = BLOCK_CFL / (kinds[kind].cells * BLOCK_SPEED);
     const double stress = 0.5e4 * (MOST - 1 / MOST);
     snprintf(part, sizeof part, "%s.%s.force", method, kinds[kind].name);
-    *status = file_status(files, part);
-    Table *t = strcmp(*status, "absent") ? table_read_part(files->dir, name, part, NULL) : NULL;
+    *status = results_status(r, part);
+    Table *t = strcmp(*status, "absent") ? results_left(r, part) : NULL;
     double most = -INFINITY;
     for (int k = 0; t && k < t->nrow; k++) {
-        const double f = table_number(t, k, "mass") * table_number(t, k, "vx") / (dt * stress);
-        if (fabs(table_number(t, k, "x") - 3) < MOST / 4) most = worse(most, fabs(f));
+        const double f = select_number(t, k, "mass") * select_number(t, k, "vx") / (dt * stress);
+        if (fabs(select_number(t, k, "x") - 3) < MOST / 4) most = measure_worse(most, fabs(f));
     }
     table_free(t);
     return isinf(most) ? NAN : most;
@@ -98,11 +98,11 @@ static double law(double F)
 static void write_one(FILE *curve, FILE *onset, const Table *t, const char *head,
                       const char *status, double force, const char *force_status)
 {
-    const double dt = table_number(t, 1, "t"), V0 = table_number(t, 0, "volume");
+    const double dt = select_number(t, 1, "t"), V0 = select_number(t, 0, "volume");
     double lost = NAN, F = 1, ratio = 1;
     for (int k = 1; k < t->nrow; k++) {
         F = pow(1 + RATE * BLOCK_SPEED * dt, k);
-        ratio = law(table_number(t, k, "volume") / V0) / law(F);
+        ratio = law(select_number(t, k, "volume") / V0) / law(F);
         if (isnan(lost) && F > 1.2 && !(fabs(ratio - 1) <= WRONG)) lost = F;
         if (k % EVERY == 0 || k + 1 == t->nrow) fprintf(curve, "%s,%.6g,%.10g\n", head, F, ratio);
     }
@@ -113,45 +113,35 @@ static void write_one(FILE *curve, FILE *onset, const Table *t, const char *head
     fprintf(onset, ",%s,%s\n", status, force_status);
 }
 
-static void write_all(FILE *curve, FILE *onset, const char *dir)
+static void write_all(FILE *curve, FILE *onset, const Results *r)
 {
     char part[96], head[128];
-    Files files;
-    files_open(&files, dir, name);
-    fputs("kind,method,variant,stretch,ratio\n", curve);
-    fputs("kind,method,variant,reached,onset,error,force,status,force_status\n", onset);
     for (int k = 0; k < KINDS; k++)
         for (const Info *const *m = kinds[k].engine->methods; *m; m++)
             for (int v = 0; v < VARIANTS; v++) {
-                part_name(part, (*m)->name, k, v);
-                Table *t = table_read_part(dir, name, part, NULL);
+                Table *t = results_left(r, part_name(part, (*m)->name, k, v));
+                const char *status = "absent";
+                const double force = v ? NAN : force_inside(r, (*m)->name, k, &status);
                 snprintf(head, sizeof head, "%s,%s,%s", kinds[k].name, (*m)->name,
                          variants[v].name);
-                const char *status = "absent";
-                const double force = v ? NAN : force_inside(&files, (*m)->name, k, &status);
                 if (t && t->nrow > 1)
-                    write_one(curve, onset, t, head, file_status(&files, part), force, status);
+                    write_one(curve, onset, t, head, results_status(r, part), force, status);
                 table_free(t);
             }
-    files_close(&files);
 }
 
-static int write_marks(const char *dir, Fault *fault)
+static void write_marks(FILE *f, const Table *t)
 {
-    Table *t = table_read_part(dir, name, "onset", fault);
-    FILE *f = t ? grades_begin(dir, name, fault) : NULL;
-    for (const Info *const *m = engine_2d.methods; f && *m; m++) {
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
         const double force =
-            fmax(select_ended_value(t, "force", "method=%s kind=bar1", (*m)->name).value,
-                 select_ended_value(t, "force", "method=%s kind=bar2", (*m)->name).value);
+            fmax(select_ended(t, "force", "method=%s kind=bar1", (*m)->name).value,
+                 select_ended(t, "force", "method=%s kind=bar2", (*m)->name).value);
         double first = INFINITY;
         int ran = 0;
         for (int k = 0; k < KINDS; k++) {
             const char *where = "method=%s kind=%s variant=usual";
-            const double at =
-                select_ended_value(t, "onset", where, (*m)->name, kinds[k].name).value;
-            const double end =
-                select_ended_value(t, "reached", where, (*m)->name, kinds[k].name).value;
+            const double at = select_ended(t, "onset", where, (*m)->name, kinds[k].name).value;
+            const double end = select_ended(t, "reached", where, (*m)->name, kinds[k].name).value;
             ran += !isnan(end);
             if (end < 0.99 * MOST) first = fmin(first, end);
             if (at < first) first = at;
@@ -168,23 +158,15 @@ static int write_marks(const char *dir, Fault *fault)
                       : "carries stress to four times its length",
                   isinf(first) ? force : first);
     }
-    table_free(t);
-    return grades_end(f, dir, name, "grades", fault);
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
-    char curve_path[PATH_TEXT], onset_path[PATH_TEXT];
-    (void)quick;
-    table_part_path(curve_path, dir, name, "curves");
-    table_part_path(onset_path, dir, name, "onset");
-    FILE *curve = file_begin(curve_path, fault);
-    FILE *onset = curve ? file_begin(onset_path, fault) : NULL;
-    if (onset) write_all(curve, onset, dir);
-    if (curve && !onset) file_abandon(curve, curve_path);
-    if (!onset || file_commit(curve, curve_path, fault) || file_commit(onset, onset_path, fault))
-        return FAULT_MACHINE;
-    return write_marks(dir, fault);
+    FILE *curve = results_write(r, "curves", "kind,method,variant,stretch,ratio");
+    FILE *onset = results_write(
+        r, "onset", "kind,method,variant,reached,onset,error,force,status,force_status");
+    write_all(curve, onset, r);
+    write_marks(grades_write(r), results_part(r, "onset"));
 }
 
 static Measure onset(const Table *t, const char *method, int kind, const char *variant)
@@ -200,10 +182,9 @@ static double good_within(double trigger)
     return trigger < 0.5 ? 1.5 - sqrt(2 * trigger) : NAN;
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *t = claim_part(c, dir, "onset");
-    (void)rows;
+    const Table *t = results_part(r, "onset");
     claim(c, "H3.tent-1",
           "tents, one particle per cell: stress is lost between a stretch of 1 and 2",
           onset(t, "mpm", 0, "usual"), 1, 2);
@@ -214,31 +195,30 @@ static void check(Check *c, const Table *rows, const char *dir)
           "GIMP whose boxes follow F, convolved exactly, never: error at 4, worst of three",
           curve_worst(t, "gimp", KINDS, "error", "variant=usual"), 0, WRONG);
     claim(c, "H3.ugimp", "with boxes that keep their size later than tents: stretch over MPM's",
-          over(onset(t, "gimp", 0, "undeformed"), onset(t, "mpm", 0, "usual")), 1, 2);
+          measure_ratio(onset(t, "gimp", 0, "undeformed"), onset(t, "mpm", 0, "usual")), 1, 2);
     claim(c, "H3.carried",
           "nor any method whose particles tell the grid their gradients: error of stress at 4",
           curve_worst(t, "ge_mpm ge_gimp apic tpic", KINDS, "error", "variant=usual"), 0, WRONG);
     /* The force is of a run of its own: the status of the stretched one does not matter. */
     claim(c, "H3.pieces",
           "but tents leave the bar in pieces, gradients or not: force at 4 over sigma A F/n, n = 1",
-          times(select_ended_value(t, "force", "method=ge_mpm kind=bar1"), 1 / MOST), 0.99, 1.01);
+          measure_times(select_ended(t, "force", "method=ge_mpm kind=bar1"), 1 / MOST), 0.99, 1.01);
     claim(c, "H3.gimp-carries", "GIMP and GE-GIMP carry the force: largest inside, over sigma A",
           curve_worst(t, "gimp ge_gimp", 1, "force", "kind=bar1 variant=usual force_status=ok"), 0,
           WRONG);
     const Measure wls2 = onset(t, "wls2", 0, "usual");
     const double d = good_within(0.25);
     claim(c, "H3.wls", "WLS until no particle is within the trigger weight: stretch over that, bar",
-          times(onset(t, "wls", 0, "usual"), 1 / (2 * good_within(0.12))), 0.9, 1.3);
+          measure_times(onset(t, "wls", 0, "usual"), 1 / (2 * good_within(0.12))), 0.9, 1.3);
     claim_differs(c, "H3.wls2", "the same for WLS2's larger trigger weight",
-                  times(wls2, 1 / (2 * d)), 0.9, 1.3, 1.3, 1.6,
+                  measure_times(wls2, 1 / (2 * d)), 0.9, 1.3, 1.3, 1.6,
                   "it extrapolates to nodes without particles, and so goes on until its good nodes "
                   "see one particle only, a stretch of 3/2 + d");
-    claim(c, "H3.wls2-alone", "stretch over that", times(wls2, 1 / (1.5 + d)), 0.9, 1.1);
-    table_free(t);
+    claim(c, "H3.wls2-alone", "stretch over that", measure_times(wls2, 1 / (1.5 + d)), 0.9, 1.1);
 }
 
 const Study study_h_03_stretch = {
-    .name = name,
+    .name = "h_03_stretch",
     .figure = "H3",
     .about = "numerical fracture: a block is stretched evenly to four times its length",
     .cases = cases,

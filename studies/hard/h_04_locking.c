@@ -11,15 +11,14 @@
  * stress of the scene, pi mu A or .01 E. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-#include "studies/tables/files.h"
-#include "studies/runs/memory.h"
+#include "studies/tables/curves.h"
+#include "studies/runs/engines.h"
+#include "studies/runs/must.h"
 
 enum { RATIOS = 4, SCENES = 2, PLATE = 0, BEAM = 1, COARSE = 4, FINE = 32 };
-static const char name[] = "h_04_locking";
 static const char *const nus[RATIOS] = {"0.3", "0.45", "0.49", "0.499"};
 static const char *const scenes[SCENES] = {"plate_vibration", "cantilever"};
-static const int reaching[SCENES] = {12, 8}; /* particle methods that reach the end at nu = .499 */
+static const int reaching[SCENES] = {13, 9}; /* particle methods that reach the end at nu = .499 */
 static const double amplitude = 1e-4, plate_E = 1000, beam_E = 1e4; /* [m] [Pa] [Pa] */
 
 /* [Pa] of the plate, rho = 1. */
@@ -28,21 +27,21 @@ static double shear_modulus(const char *nu)
     return plate_E / (2 * (1 + strtod(nu, NULL)));
 }
 
-static void part_name(char part[64], int scene, const char *method, int cells, const char *nu)
+static char *part_name(char part[64], int scene, const char *method, int cells, const char *nu)
 {
     snprintf(part, 64, "%s.%s.%d.%s", scenes[scene], method, cells, nu);
+    return part;
 }
 
 static void add(Cases *list, int scene, const char *method, int cells, const char *nu)
 {
-    char part[64], file[128], plate[96] = "";
-    part_name(part, scene, method, cells, nu);
-    snprintf(file, sizeof file, "%s.%s.csv", name, part);
+    char part[64], plate[96] = "";
     if (scene == PLATE)
         snprintf(plate, sizeof plate, " --set A=%g --t-end %.17g", amplitude,
                  sqrt(2) / sqrt(shear_modulus(nu)) / 6);
-    case_add_with(list, "samples", file, "run %s --method %s --cells %d --set nu=%s%s",
-                  scenes[scene], method, cells, nu, plate);
+    case_add_with(list, "samples", part_name(part, scene, method, cells, nu),
+                  "run %s --method %s --cells %d --set nu=%s%s", scenes[scene], method, cells, nu,
+                  plate);
 }
 
 static void cases(Cases *list, bool quick)
@@ -63,25 +62,23 @@ typedef struct Cloud {
     double *X, *Y, *u, *v, *m, *p;
 } Cloud;
 
-static Cloud cloud_read(const Files *files, int scene, const char *method, int cells,
-                        const char *nu)
+static Cloud cloud_read(const Results *r, int scene, const char *method, int cells, const char *nu)
 {
     char part[64];
-    part_name(part, scene, method, cells, nu);
-    Table *t = file_read(files, part);
+    Table *t = results_file(r, part_name(part, scene, method, cells, nu));
     const size_t room = t ? (size_t)t->nrow + 1 : 1;
     Cloud c = {.X = must(calloc(6 * room, sizeof(double)))};
     c.Y = c.X + room, c.u = c.Y + room, c.v = c.u + room, c.m = c.v + room, c.p = c.m + room;
     for (int k = 0; t && k < t->nrow; k++) {
-        if (!(table_number(t, k, "mass") > 0)) continue;
-        c.X[c.n] = table_number(t, k, "X");
-        c.Y[c.n] = table_number(t, k, "Y");
-        c.u[c.n] = table_number(t, k, "x") - c.X[c.n];
-        c.v[c.n] = table_number(t, k, "y") - c.Y[c.n];
-        c.m[c.n] = table_number(t, k, "mass");
-        c.p[c.n] =
-            -(table_number(t, k, "sxx") + table_number(t, k, "syy") + table_number(t, k, "szz")) /
-            3;
+        if (!(select_number(t, k, "mass") > 0)) continue;
+        c.X[c.n] = select_number(t, k, "X");
+        c.Y[c.n] = select_number(t, k, "Y");
+        c.u[c.n] = select_number(t, k, "x") - c.X[c.n];
+        c.v[c.n] = select_number(t, k, "y") - c.Y[c.n];
+        c.m[c.n] = select_number(t, k, "mass");
+        c.p[c.n] = -(select_number(t, k, "sxx") + select_number(t, k, "syy") +
+                     select_number(t, k, "szz")) /
+                   3;
         c.n++;
     }
     table_free(t);
@@ -132,25 +129,25 @@ static double checkerboard(const Cloud *c, int share)
 }
 
 /* One line of NAME.locking.csv. */
-static void write_line(FILE *f, const Files *files, int row)
+static void write_line(FILE *f, const Results *r, int row)
 {
-    const Table *rows = files->rows;
-    const char *method = table_text(rows, row, "method");
-    const int scene = strcmp(table_text(rows, row, "problem"), scenes[BEAM]) == 0;
-    const int cells = (int)table_number(rows, row, "cells");
+    const Table *rows = r->rows;
+    const char *method = select_text(rows, row, "method");
+    const int scene = select_is(rows, row, "problem", scenes[BEAM]);
+    const int cells = (int)select_number(rows, row, "cells");
     const char *nu = NULL;
     for (int k = 0; k < RATIOS; k++)
-        if (fabs(select_setting(rows, row, "nu") - strtod(nus[k], NULL)) < 1e-9) nu = nus[k];
+        if (fabs(select_number(rows, row, "nu") - strtod(nus[k], NULL)) < 1e-9) nu = nus[k];
     if (!nu || (scene == BEAM && cells != COARSE)) return;
-    Cloud c = cloud_read(files, scene, method, cells, nu);
-    Cloud fine = cloud_read(files, BEAM, "fem", FINE, nu);
+    Cloud c = cloud_read(r, scene, method, cells, nu);
+    Cloud fine = cloud_read(r, BEAM, "fem", FINE, nu);
     if (!fine.n) { /* a quick look has a coarser one */
         free(fine.X);
-        fine = cloud_read(files, BEAM, "fem", FINE / 4, nu);
+        fine = cloud_read(r, BEAM, "fem", FINE / 4, nu);
     }
     const bool gone = select_is_lost(rows, row);
     const double scale = scene == PLATE ? M_PI * shear_modulus(nu) * amplitude : 0.01 * beam_E;
-    const int share = table_number(rows, row, "elements") > 0 ? 2 : 1;
+    const int share = select_number(rows, row, "elements") > 0 ? 2 : 1;
     fprintf(f, "%s,%s,%s,", scenes[scene], method, nu);
     if (gone)
         fputs("lost,,\n", f);
@@ -162,18 +159,10 @@ static void write_line(FILE *f, const Files *files, int row)
     free(fine.X);
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
-    char path[PATH_TEXT];
-    (void)quick;
-    Files files;
-    files_open(&files, dir, name);
-    table_part_path(path, dir, name, "locking");
-    FILE *f = file_begin(path, fault);
-    if (f) fputs("problem,method,nu,status,ratio,checkerboard\n", f);
-    for (int row = 0; f && files.rows && row < files.rows->nrow; row++) write_line(f, &files, row);
-    files_close(&files);
-    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+    FILE *f = results_write(r, "locking", "problem,method,nu,status,ratio,checkerboard");
+    for (int row = 0; row < r->rows->nrow; row++) write_line(f, r, row);
 }
 
 static Measure value(const Table *t, int scene, const char *method, const char *nu,
@@ -186,8 +175,7 @@ static Measure value(const Table *t, int scene, const char *method, const char *
 static bool reached(const Table *t, int scene, const char *method, const char *what, double *out)
 {
     *out = value(t, scene, method, "0.499", what).value;
-    return select_ended_value(t, "nu", "problem=%s method=%s nu=0.499 status=ok", scenes[scene],
-                              method)
+    return select_ended(t, "nu", "problem=%s method=%s nu=0.499 status=ok", scenes[scene], method)
                .rows > 0;
 }
 
@@ -195,12 +183,12 @@ static bool reached(const Table *t, int scene, const char *method, const char *w
  * should, nor have a checkerboard as large as the scene's shear stress. */
 static Measure escaping(const Table *t, int scene)
 {
-    Measure n = sum_of(reaching[scene] + 1);
+    Measure n = measure_sum_of(reaching[scene] + 1);
     double ratio, rough;
     for (const Info *const *m = engine_2d.methods; *m; m++)
         if (reached(t, scene, (*m)->name, "ratio", &ratio) &&
             reached(t, scene, (*m)->name, "checkerboard", &rough))
-            add_sum(&n, isnan(ratio + rough) ? NAN : ratio > 0.95 && rough < 1);
+            measure_add(&n, isnan(ratio + rough) ? NAN : ratio > 0.95 && rough < 1);
     return n;
 }
 
@@ -208,20 +196,19 @@ static Measure escaping(const Table *t, int scene)
  * aside. */
 static void extremes(const Table *t, int scene, Measure *ratio, Measure *rough)
 {
-    double S, G, x;
-    *ratio = least_of(reaching[scene]), *rough = largest_of(reaching[scene]);
+    double x;
+    *ratio = measure_min_of(reaching[scene]), *rough = measure_max_of(reaching[scene]);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
-        if (engine_2d.weight((*m)->name, 0, 0.25, &S, &G) != 0) continue;
-        if (reached(t, scene, (*m)->name, "ratio", &x)) add_least(ratio, x);
-        if (reached(t, scene, (*m)->name, "checkerboard", &x)) add_largest(rough, x);
+        if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
+        if (reached(t, scene, (*m)->name, "ratio", &x)) measure_add_min(ratio, x);
+        if (reached(t, scene, (*m)->name, "checkerboard", &x)) measure_add_max(rough, x);
     }
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *t = claim_part(c, dir, "locking");
+    const Table *t = results_part(r, "locking");
     Measure ratio, rough;
-    (void)rows;
     extremes(t, PLATE, &ratio, &rough);
     claim_differs(
         c, "H-4.plate-all", "plate, nu = .499: methods that neither lock nor checkerboard",
@@ -231,7 +218,7 @@ static void check(Check *c, const Table *rows, const char *dir)
     claim(
         c, "H-4.plate-worst",
         "plate: linear triangles are worst: FEM's checkerboard over the largest of the particles'",
-        over(value(t, PLATE, "fem", "0.499", "checkerboard"), rough), 1, 100);
+        measure_ratio(value(t, PLATE, "fem", "0.499", "checkerboard"), rough), 1, 100);
     extremes(t, BEAM, &ratio, &rough);
     claim(c, "H-4.beam-all", "cantilever, nu = .499: methods that neither lock nor checkerboard",
           escaping(t, BEAM), 0, 0);
@@ -239,20 +226,19 @@ static void check(Check *c, const Table *rows, const char *dir)
         c, "H-4.beam-worst",
         "cantilever: linear triangles lock worst: FEM's displacement over the least of the "
         "particle methods",
-        over(value(t, BEAM, "fem", "0.499", "ratio"), ratio), 0, 1, 1.2, 100,
+        measure_ratio(value(t, BEAM, "fem", "0.499", "ratio"), ratio), 0, 1, 1.2, 100,
         "triangles of alternating diagonals keep .83; tents over four particles a cell "
         "keep least");
     claim(c, "H-4.beam-gimp", "GIMP locks: its displacement at nu = .499 over the reference's",
           value(t, BEAM, "gimp", "0.499", "ratio"), 0, 0.95);
     claim(c, "H-4.beam-gimp-pressure", "and its checkerboard: times that at nu = .3",
-          over(value(t, BEAM, "gimp", "0.499", "checkerboard"),
-               value(t, BEAM, "gimp", "0.3", "checkerboard")),
+          measure_ratio(value(t, BEAM, "gimp", "0.499", "checkerboard"),
+                        value(t, BEAM, "gimp", "0.3", "checkerboard")),
           10, INFINITY);
-    table_free(t);
 }
 
 const Study study_h_04_locking = {
-    .name = name,
+    .name = "h_04_locking",
     .figure = "H-4",
     .about = "near incompressibility: displacement ratio and checkerboard pressure, every method",
     .cases = cases,

@@ -20,13 +20,10 @@
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "studies/tables/ladder.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "studies/tables/curves.h"
-#include "studies/tables/pairs.h"
 
-static const char name[] = "h_05_small_mass";
 enum { PER_CELL = 2, RUNGS = 8, DEPTHS = 6, EDGES = 3, DIMS = 2 };
 static const double rungs[RUNGS] = {0.0095, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6};
 static const double depths[DEPTHS] = {0.1, 0.03, 0.01, 0.003, 0.001, 1e-4}; /* eps/h */
@@ -108,16 +105,16 @@ static void refine(Cases *list, const Table *rows, bool quick)
 
 static void write_point(FILE *f, const Table *rows, const Ladder *l)
 {
-    const double moved = row_param(rows, l->row[0], "offset_x");
-    const int dim = row_param(rows, l->row[0], "dim") > 1;
+    const double moved = select_number(rows, l->row[0], "offset_x");
+    const int dim = select_number(rows, l->row[0], "dim") > 1;
     int low, high, e = 0, d = 0;
     for (int k = 0; k < EDGES * DEPTHS; k++)
         if (fabs(offset(k / DEPTHS, k % DEPTHS) - moved) < 1e-9) e = k / DEPTHS, d = k % DEPTHS;
     const bool some = window(l, &low, &high);
     const double scale = scenes[dim].fastest * scenes[dim].cells;
-    fprintf(f, "%d,%s,%s,%d,%g,%.6g,%.6g\n", dim + 1, table_text(rows, l->row[0], "method"),
-            edges[e].name, e, depths[d], some ? scale * table_number(rows, l->row[high], "dt") : 0,
-            some && low > 0 ? scale * table_number(rows, l->row[low - 1], "dt") : 0);
+    fprintf(f, "%d,%s,%s,%d,%g,%.6g,%.6g\n", dim + 1, select_text(rows, l->row[0], "method"),
+            edges[e].name, e, depths[d], some ? scale * select_number(rows, l->row[high], "dt") : 0,
+            some && low > 0 ? scale * select_number(rows, l->row[low - 1], "dt") : 0);
 }
 
 enum { CELLS = 10, NODES = CELLS + 8, COUNT = CELLS * PER_CELL };
@@ -161,40 +158,19 @@ static double two_over_omega(const char *method, double x)
     return 2 / sqrt(largest);
 }
 
-static int write_points(const char *dir, Fault *fault)
+static void tables(const Results *r)
 {
-    char path[PATH_TEXT];
-    Ladder *ladders = NULL;
-    Table *rows = table_read_part(dir, name, NULL, fault);
-    table_part_path(path, dir, name, "points");
-    const int n = rows ? ladder_read_all(rows, &ladders) : 0;
-    FILE *f = rows ? file_begin(path, fault) : NULL;
-    if (f) fputs("dim,method,edge,place,depth,critical,grows_below\n", f);
-    for (int k = 0; f && k < n; k++) write_point(f, rows, &ladders[k]);
+    Ladder *ladders;
+    const int n = ladder_read_all(r->rows, &ladders);
+    FILE *points = results_write(r, "points", "dim,method,edge,place,depth,critical,grows_below");
+    FILE *omega = results_write(r, "omega", "dim,method,edge,place,depth,two_over_omega");
+    for (int k = 0; k < n; k++) write_point(points, r->rows, &ladders[k]);
     free(ladders);
-    table_free(rows);
-    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
-}
-
-static int write_omega(const char *dir, Fault *fault)
-{
-    char path[PATH_TEXT];
-    table_part_path(path, dir, name, "omega");
-    FILE *f = file_begin(path, fault);
-    if (f) fputs("dim,method,edge,place,depth,two_over_omega\n", f);
-    for (const Info *const *m = engine_1d.methods; f && *m; m++)
+    for (const Info *const *m = engine_1d.methods; *m; m++)
         for (int e = 0; e < EDGES; e++)
             for (int d = 0; d < DEPTHS; d++)
-                fprintf(f, "1,%s,%s,%d,%g,%.6g\n", (*m)->name, edges[e].name, e, depths[d],
+                fprintf(omega, "1,%s,%s,%d,%g,%.6g\n", (*m)->name, edges[e].name, e, depths[d],
                         two_over_omega((*m)->name, place(e, d)));
-    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
-}
-
-static int tables(const char *dir, bool quick, Fault *fault)
-{
-    (void)quick;
-    const int code = write_points(dir, fault);
-    return code ? code : write_omega(dir, fault);
 }
 
 /* Largest |step/(factor sqrt(eps/h)) - 1|. */
@@ -202,11 +178,11 @@ static Measure off_root(const Table *t, const char *what, int dim, const char *m
                         double factor)
 {
     Curve curve;
-    Measure worst = largest_of(0);
+    Measure worst = measure_max_of(0);
     for (int d = 0; d < DEPTHS; d++) worst.needs += (scenes[dim - 1].depths >> d & 1) != 0;
     curve_pick(&curve, t, "depth", what, "dim=%d method=%s edge=particle", dim, method);
     for (int k = 0; k < curve.n; k++)
-        add_largest(&worst, fabs(curve.y[k] / (factor * sqrt(curve.x[k])) - 1));
+        measure_add_max(&worst, fabs(curve.y[k] / (factor * sqrt(curve.x[k])) - 1));
     return worst;
 }
 
@@ -214,19 +190,18 @@ static Measure off_root(const Table *t, const char *what, int dim, const char *m
 static Measure smallest(const Table *t, const char *what, const char *method)
 {
     Curve curve;
-    Measure out = least_of(EDGES * DEPTHS);
+    Measure out = measure_min_of(EDGES * DEPTHS);
     curve_pick(&curve, t, "depth", what, "dim=1 method=%s", method);
-    for (int k = 0; k < curve.n; k++) add_least(&out, curve.y[k]);
+    for (int k = 0; k < curve.n; k++) measure_add_min(&out, curve.y[k]);
     return out;
 }
 
-static void check(Check *check, const Table *rows, const char *dir)
+static void check(Check *check, const Results *r)
 {
     static const char forgets[] =
         "2/omega is what a grid that keeps its velocities allows; a node that is projected anew "
         "each step forgets its own, and its limit is 1/sqrt(2) of that";
-    Table *points = claim_part(check, dir, "points"), *omega = claim_part(check, dir, "omega");
-    (void)rows;
+    const Table *points = results_part(r, "points"), *omega = results_part(r, "omega");
     claim(check, "H5.tent-omega", "tents: 2/omega_max is 2 sqrt(eps/h) h/c: largest deviation",
           off_root(omega, "two_over_omega", 1, "mpm", 2), 0, 0.1);
     claim_differs(check, "H5.tent", "the critical step of tents is that, too",
@@ -247,12 +222,10 @@ static void check(Check *check, const Table *rows, const char *dir)
           smallest(omega, "two_over_omega", "bspline"), 0.9, 1);
     claim_differs(check, "H5.bspline", "and so their critical step [h/c]",
                   smallest(points, "critical", "bspline"), 0.9, 1, 0.66, 0.9, forgets);
-    table_free(points);
-    table_free(omega);
 }
 
 const Study study_h_05_small_mass = {
-    .name = name,
+    .name = "h_05_small_mass",
     .figure = "H5",
     .about =
         "a node that a body hardly touches: critical time step against how far it is into the cell",

@@ -8,13 +8,10 @@
  * quarters, one, one and a half, and two; a method has enough where its error is below a tenth of
  * the amplitude. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "studies/tables/grades.h"
 
 #define USABLE 0.1 /* error over amplitude */
 
-static const char name[] = "h_06_uneven";
 enum { JITTERS = 6, FEW = 5, SCENES = 2, CELLS = 32 };
 static const double jitters[JITTERS] = {0, 0.1, 0.2, 0.3, 0.4, 0.5};
 static const double few[FEW] = {0.5, 0.75, 1, 1.5, 2}; /* per axis */
@@ -27,44 +24,35 @@ static const struct {
 static void cases(Cases *list, bool quick)
 {
     for (const Info *const *m = engine_2d.methods; *m; m++)
-        for (int g = 0; g < 2 && has_grid(&engine_2d, (*m)->name); g++)
+        for (int g = 0; g < 2 && engine_has_grid(&engine_2d, (*m)->name); g++)
             for (int k = 0; k < JITTERS; k += quick ? 5 : 1)
                 case_add(list, "run patch --method %s --cells %d --set jitter=%g --set grading=%s",
                          (*m)->name, CELLS, jitters[k], gradings[g]);
     for (int s = 0; s < SCENES; s++)
         for (const Info *const *m = scenes[s].engine->methods; *m; m++)
-            for (int k = quick ? FEW - 1 : 0; k < FEW && has_grid(scenes[s].engine, (*m)->name);
-                 k++)
+            for (int k = quick ? FEW - 1 : 0;
+                 k < FEW && engine_has_grid(scenes[s].engine, (*m)->name); k++)
                 case_add(list, "run %s --method %s --cells %d --ppc %.17g%s", scenes[s].problem,
                          (*m)->name, CELLS, pow(few[k], scenes[s].engine->dim), scenes[s].settings);
-}
-
-/* The number of a setting ("jitter") in a row's parameters; NAN if it has none. */
-static double setting(const Table *rows, int row, const char *key)
-{
-    char text[32];
-    snprintf(text, sizeof text, "%s=", key);
-    const char *at = strstr(table_text(rows, row, "params"), text);
-    return at ? strtod(at + strlen(text), NULL) : NAN;
 }
 
 /* NAME.points.csv: case,problem,method,grading,x,error,status,fallbacks: x is the jitter, or the
  * particles per axis and cell. */
 static void write_points(FILE *f, const Table *rows)
 {
-    fputs("case,problem,method,grading,x,error,status,fallbacks\n", f);
     for (int row = 0; row < rows->nrow; row++) {
-        const double jitter = setting(rows, row, "jitter"), ppc = table_number(rows, row, "ppc");
-        const int dim = strcmp(table_text(rows, row, "problem"), scenes[0].problem) == 0 ? 1 : 2;
-        fprintf(f, "%s,%s,%s,", isnan(jitter) ? "H7" : "H6", table_text(rows, row, "problem"),
-                table_text(rows, row, "method"));
+        const double jitter = select_number(rows, row, "jitter"),
+                     ppc = select_number(rows, row, "ppc");
+        const int dim = select_is(rows, row, "problem", scenes[0].problem) ? 1 : 2;
+        fprintf(f, "%s,%s,%s,", isnan(jitter) ? "H7" : "H6", select_text(rows, row, "problem"),
+                select_text(rows, row, "method"));
         if (isnan(jitter))
             fprintf(f, ",%.4g,", round(pow(ppc, 1.0 / dim) * 4) / 4);
         else
-            fprintf(f, "%g,%g,", setting(rows, row, "grading"), jitter);
-        fprintf(f, "%s,%s,%s\n", table_text(rows, row, "error_linf"),
-                select_is_lost(rows, row) ? table_text(rows, row, "status") : "ok",
-                table_text(rows, row, "fallbacks"));
+            fprintf(f, "%g,%g,", select_number(rows, row, "grading"), jitter);
+        fprintf(f, "%s,%s,%s\n", select_text(rows, row, "error_linf"),
+                select_is_lost(rows, row) ? select_text(rows, row, "status") : "ok",
+                select_text(rows, row, "fallbacks"));
     }
 }
 
@@ -73,12 +61,12 @@ static Measure few_error(const Table *t, int scene, const char *method, double p
 {
     static const char where[] = "case=H7 problem=%s method=%s x=%g";
     const char *problem = scenes[scene].problem;
-    const Measure there = select_ended_value(t, "x", where, problem, method, per_axis);
+    const Measure there = select_ended(t, "x", where, problem, method, per_axis);
     const Measure error = select_value(t, "error", where, problem, method, per_axis);
     if (error.rows || !there.rows) return error;
-    const Measure ok = select_ended_value(t, "x", "case=H7 problem=%s method=%s x=%g status=ok",
-                                          problem, method, per_axis);
-    return with_value(there, ok.rows ? NAN : INFINITY);
+    const Measure ok = select_ended(t, "x", "case=H7 problem=%s method=%s x=%g status=ok", problem,
+                                    method, per_axis);
+    return measure_with(there, ok.rows ? NAN : INFINITY);
 }
 
 /* The fewest particles per axis from which on both scenes' errors stay below a tenth of the
@@ -87,8 +75,8 @@ static double fewest(const Table *t, const char *method)
 {
     double least = INFINITY;
     for (int k = FEW - 1; k >= 0; k--) {
-        if (!(worse(few_error(t, 0, method, few[k]).value, few_error(t, 1, method, few[k]).value) <
-              USABLE))
+        if (!(measure_worse(few_error(t, 0, method, few[k]).value,
+                            few_error(t, 1, method, few[k]).value) < USABLE))
             break;
         least = few[k];
     }
@@ -101,7 +89,7 @@ static void write_marks(FILE *f, const Table *t)
         const char *method = (*m)->name;
         const double e = curve_worst(t, method, 1, "error", "case=H6").value;
         const double least = fewest(t, method);
-        if (!has_grid(&engine_2d, method)) continue;
+        if (!engine_has_grid(&engine_2d, method)) continue;
         grade_add(f, "H6", method, grade_mark_of(e, 1e-12, 1),
                   e <= 1e-12 ? "linear fields exact from any particles"
                              : "a linear field off by up to %.2g from jittered, graded particles",
@@ -116,23 +104,23 @@ static void write_marks(FILE *f, const Table *t)
     }
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
-    (void)quick;
-    return grades_tables(dir, name, "points", write_points, write_marks, fault);
+    write_points(results_write(r, "points", "case,problem,method,grading,x,error,status,fallbacks"),
+                 r->rows);
+    write_marks(grades_write(r), results_part(r, "points"));
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *t = claim_part(c, dir, "points");
-    Measure lost = sum_of(4);
-    (void)rows;
+    const Table *t = results_part(r, "points");
+    Measure lost = measure_sum_of(4);
     claim(c, "H6.exact", "GE, APIC, TPIC, WLS: a linear field from any particles, largest error",
           curve_worst(t, "ge_mpm ge_gimp apic tpic wls wls2", 2 * JITTERS, "error", "case=H6"), 0,
           1e-12);
     claim(c, "H6.tent", "tents are worst: error of MPM over GIMP's, jitter 0.5",
-          over(select_value(t, "error", "case=H6 method=mpm x=0.5 grading=1"),
-               select_value(t, "error", "case=H6 method=gimp x=0.5 grading=1")),
+          measure_ratio(select_value(t, "error", "case=H6 method=mpm x=0.5 grading=1"),
+                        select_value(t, "error", "case=H6 method=gimp x=0.5 grading=1")),
           1, 5);
     claim(c, "H7.tent", "tents with half a particle per cell have empty nodes: error of the bar",
           few_error(t, 0, "mpm", 0.5), USABLE, 10);
@@ -143,18 +131,17 @@ static void check(Check *c, const Table *rows, const char *dir)
     for (int m = 0; m < 2; m++)
         for (int k = 0; k < 2; k++) {
             const double e = few_error(t, 1, m ? "wls2" : "wls", few[k]).value;
-            add_sum(&lost, isnan(e) ? NAN : isinf(e));
+            measure_add(&lost, isnan(e) ? NAN : isinf(e));
         }
     claim(c, "H7.wls",
           "WLS needs three particles in a support: runs lost in the plane below one, of 4", lost, 4,
           4);
     claim(c, "H7.wls-one", "and falls back with one (W11 eq 14): fallbacks of WLS in the plane",
           select_value(t, "fallbacks", "case=H7 problem=axis_mms method=wls x=1"), 1, 1e6);
-    table_free(t);
 }
 
 const Study study_h_06_uneven = {
-    .name = name,
+    .name = "h_06_uneven",
     .figure = "H6",
     .about = "uneven particles, and few of them: projection of a linear field, two waves",
     .cases = cases,

@@ -4,11 +4,8 @@
  *
  * A node at an edge hears particles from one side only: mass-weighted projection gives it their
  * mean, which is half a cell away: first order in h. Gradients, or a fit, take it to the node. */
-#include <math.h>
-#include <string.h>
 #include "studies/tables/grades.h"
 
-static const char name[] = "h_10_edges";
 enum { BODIES = 4, MESHES = 4 };
 static const char *const bodies[BODIES] = {"block", "strip", "corner", "slit"};
 static const int meshes[MESHES] = {16, 32, 64, 128};
@@ -17,7 +14,8 @@ static void cases(Cases *list, bool quick)
 {
     for (int b = 0; b < BODIES; b++)
         for (const Info *const *m = engine_2d.methods; *m; m++)
-            for (int k = 0; k < (quick ? 2 : MESHES) && has_grid(&engine_2d, (*m)->name); k++)
+            for (int k = 0; k < (quick ? 2 : MESHES) && engine_has_grid(&engine_2d, (*m)->name);
+                 k++)
                 case_add(list, "run patch --method %s --cells %d --set body=%s --set edges=1",
                          (*m)->name, meshes[k], bodies[b]);
 }
@@ -26,26 +24,21 @@ static void cases(Cases *list, bool quick)
  * h. */
 static void write_edges(FILE *f, const Table *rows)
 {
-    fputs("body,method,status,error,order,fallbacks,meshes\n", f);
     for (int b = 0; b < BODIES; b++)
         for (const Info *const *m = engine_2d.methods; *m; m++) {
             double h[MESHES], e[MESHES], fallbacks = 0;
             const char *status = "ok";
             int n = 0;
-            for (int row = 0; row < rows->nrow && n < MESHES; row++) {
-                char text[32];
-                snprintf(text, sizeof text, "body=%s;", bodies[b]);
-                if (strcmp(table_text(rows, row, "method"), (*m)->name) != 0 ||
-                    !strstr(table_text(rows, row, "params"), text))
-                    continue;
-                if (select_is_lost(rows, row)) status = table_text(rows, row, "status");
-                h[n] = table_number(rows, row, "h");
-                e[n++] = table_number(rows, row, "error_linf");
-                fallbacks = worse(fallbacks, table_number(rows, row, "fallbacks"));
+            for (int row = -1; n < MESHES && (row = select_next(rows, row, "method=%s body=%s",
+                                                                (*m)->name, bodies[b])) >= 0;) {
+                if (select_is_lost(rows, row)) status = select_text(rows, row, "status");
+                h[n] = select_number(rows, row, "h");
+                e[n++] = select_number(rows, row, "error_linf");
+                fallbacks = measure_worse(fallbacks, select_number(rows, row, "fallbacks"));
             }
             if (n > 0)
                 fprintf(f, "%s,%s,%s,%.10g,%.6g,%g,%d\n", bodies[b], (*m)->name, status, e[n - 1],
-                        order_of_all(n, h, e), fallbacks, n);
+                        curve_slope(n, h, e), fallbacks, n);
         }
 }
 
@@ -53,7 +46,7 @@ static void write_marks(FILE *f, const Table *t)
 {
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         const double e = curve_worst(t, (*m)->name, 1, "error", "status=ok").value;
-        if (!has_grid(&engine_2d, (*m)->name)) continue;
+        if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
         grade_add(f, "H10", (*m)->name, grade_mark_of(e, 1e-12, 1),
                   e <= 1e-12 ? "linear fields exact at edges, corners, gaps"
                              : "at edges off by O(h): %.2g on the finest mesh",
@@ -61,10 +54,11 @@ static void write_marks(FILE *f, const Table *t)
     }
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
-    (void)quick;
-    return grades_tables(dir, name, "edges", write_edges, write_marks, fault);
+    write_edges(results_write(r, "edges", "body,method,status,error,order,fallbacks,meshes"),
+                r->rows);
+    write_marks(grades_write(r), results_part(r, "edges"));
 }
 
 /* Of all rows, as many as cases() asks for. */
@@ -72,8 +66,8 @@ static Measure lost(const Table *rows)
 {
     int runs = 0;
     for (const Info *const *m = engine_2d.methods; *m; m++)
-        runs += has_grid(&engine_2d, (*m)->name) ? BODIES * MESHES : 0;
-    return count_lost(rows, runs, "");
+        runs += engine_has_grid(&engine_2d, (*m)->name) ? BODIES * MESHES : 0;
+    return select_count_lost(rows, runs, "");
 }
 
 /* Of the block, over all meshes. */
@@ -88,13 +82,13 @@ static Measure worst_error(const Table *t, const char *methods)
     return curve_worst(t, methods, BODIES, "error", "meshes=4");
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *t = claim_part(c, dir, "edges");
+    const Table *t = results_part(r, "edges");
     claim(c, "H10.defined", "edges, thin strip, concave corner, two surfaces in a cell: runs lost",
-          lost(rows), 0, 0);
+          lost(r->rows), 0, 0);
     claim(c, "H10.order", "MPM, GIMP at edges: order in h of the largest error, block",
-          largest(order(t, "mpm"), order(t, "gimp")), 0.8, 1.2);
+          measure_max(order(t, "mpm"), order(t, "gimp")), 0.8, 1.2);
     claim(c, "H10.ge", "GE-MPM, GE-GIMP, APIC, TPIC exact in all four: largest error",
           worst_error(t, "ge_mpm ge_gimp apic tpic"), 0, 1e-12);
     claim(c, "H10.wls2", "WLS2 exact in all four: largest error", worst_error(t, "wls2"), 0, 1e-12);
@@ -104,11 +98,10 @@ static void check(Check *c, const Table *rows, const char *dir)
                   "wrong; WLS2 extrapolates");
     claim(c, "H10.wls-order", "which falls with h: order of WLS's largest error, block",
           order(t, "wls"), 0.5, 1.2);
-    table_free(t);
 }
 
 const Study study_h_10_edges = {
-    .name = name,
+    .name = "h_10_edges",
     .figure = "H10",
     .about = "where a body ends: edges, a thin strip, a concave corner, two surfaces in a cell",
     .cases = cases,

@@ -7,7 +7,6 @@
 #include <string.h>
 #include "studies/tables/grades.h"
 
-static const char name[] = "h_14_fall";
 enum { INTEGRATORS = 5 };
 static const char *const integrators[INTEGRATORS] = {"cd", "uvf", "musl", "usl", "usf"};
 #define GRAVITY 1000 /* [m/s^2] */
@@ -16,59 +15,54 @@ static void cases(Cases *list, bool quick)
 {
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
-            for (int k = 0; k < (has_grid(*e, (*m)->name) ? INTEGRATORS : 1); k++)
+            for (int k = 0; k < (engine_has_grid(*e, (*m)->name) ? INTEGRATORS : 1); k++)
                 case_add(
                     list,
                     "run block --method %s --integrator %s --set dim=%d --set gravity=%d --set "
                     "offset_x=0.3 --set offset_y=0.2 --set refresh=%d --set allow_unstable=1 "
                     "--set steps=%d",
-                    (*m)->name, integrators[k], (*e)->dim, GRAVITY, has_grid(*e, (*m)->name),
+                    (*m)->name, integrators[k], (*e)->dim, GRAVITY, engine_has_grid(*e, (*m)->name),
                     quick ? 20 : 100);
 }
 
 /* Largest error of these integrators, of a method or (NULL) of all and FEM. */
 static Measure worst(const Table *rows, const char *method, int from, int to)
 {
-    Measure most = largest_of(0);
+    Measure most = measure_max_of(0);
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
-            for (int k = from; k < to && (k == 0 || has_grid(*e, (*m)->name)); k++)
+            for (int k = from; k < to && (k == 0 || engine_has_grid(*e, (*m)->name)); k++)
                 most.needs += !method || strcmp(method, (*m)->name) == 0;
     for (int row = 0; row < rows->nrow; row++)
         for (int k = from; k < to; k++)
-            if ((!method || strcmp(table_text(rows, row, "method"), method) == 0) &&
-                strcmp(table_text(rows, row, "integrator"), integrators[k]) == 0)
-                add_largest(&most, kept_number(rows, row, "error_linf"));
+            if ((!method || select_is(rows, row, "method", method)) &&
+                select_is(rows, row, "integrator", integrators[k]))
+                measure_add_max(&most, select_kept(rows, row, "error_linf"));
     return most;
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
-    Table *rows = table_read_part(dir, name, NULL, fault);
-    FILE *f = rows ? grades_begin(dir, name, fault) : NULL;
-    (void)quick;
-    for (const Info *const *m = engine_2d.methods; f && *m; m++) {
-        const double e = worst(rows, (*m)->name, 0, 3).value;
+    FILE *f = grades_write(r);
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
+        const double e = worst(r->rows, (*m)->name, 0, 3).value;
         grade_add(f, "H14", (*m)->name, grade_mark_of(e, 1e-12, 1e-3), "off by %.1g m", e);
     }
-    table_free(rows);
-    return grades_end(f, dir, name, "grades", fault);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    const double dt = select_value(rows, "dt", "method=mpm").value; /* 1D */
-    const double t = select_value(rows, "steps", "method=mpm").value * dt;
-    (void)dir;
+    const double dt = select_value(r->rows, "dt", "method=mpm").value; /* 1D */
+    const double t = select_value(r->rows, "steps", "method=mpm").value * dt;
     claim(c, "H14.half-step",
           "x - g t^2/2 with the half first step (cd, uvf, musl), every method and FEM [m]",
-          worst(rows, NULL, 0, 3), 0, 1e-12);
+          worst(r->rows, NULL, 0, 3), 0, 1e-12);
     claim(c, "H14.whole-step", "with a whole first step (usl, usf): largest error over g t dt/2",
-          times(worst(rows, NULL, 3, 5), 1 / (GRAVITY * t * dt / 2)), 0.99, 1.01);
+          measure_times(worst(r->rows, NULL, 3, 5), 1 / (GRAVITY * t * dt / 2)), 0.99, 1.01);
 }
 
 const Study study_h_14_fall = {
-    .name = name,
+    .name = "h_14_fall",
     .figure = "H14",
     .about = "a block falls freely from rest: the first step of every method and integrator",
     .cases = cases,

@@ -11,10 +11,11 @@
  * overlap under shear; boxes that stay as they were, B-splines and affine transfers live. */
 #include <math.h>
 #include <string.h>
-#include "studies/tables/files.h"
+#include "studies/runs/engines.h"
+#include "studies/runs/run_args.h"
+#include "studies/tables/curves.h"
 
 enum { RULES = 3, TURNS = 4, MESHES = 4, FINE = 24 };
-static const char name[] = "h_15_large_deformation";
 static const char *const rules[RULES] = {"fxx", "stretch", "undeformed"};
 static const double turns[TURNS] = {0.1, 0.25, 0.5, 1};
 static const int meshes[MESHES] = {8, 12, 16, 24};
@@ -23,35 +24,28 @@ static const double bar_top = 4, bar_end = 0.045; /* [m] [s] */
 /* Does the method run with boxes by this rule? The first is every method's default. */
 static bool takes(const char *method, int rule)
 {
-    RunSpec spec = {0};
-    char setting[64];
-    snprintf(spec.problem, sizeof spec.problem, "vortex");
-    snprintf(spec.method, sizeof spec.method, "%s", method);
-    snprintf(setting, sizeof setting, "domain=%s", rules[rule]);
     return rule == 0 ||
-           (spec_set(&spec, setting, NULL) == 0 && engine_2d.resolve(&spec, NULL) == 0);
+           run_args_is_run("run vortex --method %s --set domain=%s", method, rules[rule]);
 }
 
 static void vortex_add(Cases *list, const char *method, int rule, int cells, double G)
 {
-    double S, Gx;
-    const bool particles = engine_2d.weight(method, 0, 0.25, &S, &Gx) == 0;
+    const bool particles = engine_has_grid(&engine_2d, method);
     case_add(list, "run vortex --method %s --cells %d --cfl .1 --set G=%g%s --set domain=%s",
              method, cells, G, particles ? " --set layout=radial" : "", rules[rule]);
 }
 
-static void part_name(char part[64], const char *method, int rule)
+static char *part_name(char part[64], const char *method, int rule)
 {
     snprintf(part, 64, "bar.%s.%s", method, rules[rule]);
+    return part;
 }
 
 static void bar_add(Cases *list, const char *method, int rule)
 {
-    char part[64], file[128];
-    part_name(part, method, rule);
-    snprintf(file, sizeof file, "%s.%s.csv", name, part);
+    char part[64];
     case_add(list, "run hanging_bar --method %s --cfl .1 --set domain=%s", method, rules[rule]);
-    case_add_with(list, "particles", file,
+    case_add_with(list, "particles", part_name(part, method, rule),
                   "run hanging_bar --method %s --cfl .1 --t-end %g --set domain=%s", method,
                   bar_end, rules[rule]);
 }
@@ -72,27 +66,25 @@ static void cases(Cases *list, bool quick)
 
 static int rule_of(const Table *rows, int row)
 {
-    const char *params = table_text(rows, row, "params");
-    for (int rule = RULES - 1; rule > 0; rule--)
-        if (strstr(params, rules[rule])) return rule;
-    return 0;
+    int rule = RULES - 1;
+    while (rule > 0 && !select_meets(rows, row, "domain=%s", rules[rule])) rule--;
+    return rule;
 }
 
 /* How many times as long the bar is: mean over the points of its lowest layer. NAN: no file. */
-static double stretch_of(const Files *files, const char *method, int rule)
+static double stretch_of(const Results *r, const char *method, int rule)
 {
     char part[64];
-    part_name(part, method, rule);
-    Table *t = file_read(files, part);
+    Table *t = results_file(r, part_name(part, method, rule));
     double lowest = INFINITY, total = 0;
     int n = 0;
     for (int pass = 0; t && pass < 2; pass++)
         for (int k = 0; k < t->nrow; k++) {
-            const double Y = table_number(t, k, "Y");
-            if (!(table_number(t, k, "mass") > 0)) continue;
-            if (pass == 0) lowest = lesser(lowest, Y);
+            const double Y = select_number(t, k, "Y");
+            if (!(select_number(t, k, "mass") > 0)) continue;
+            if (pass == 0) lowest = measure_lesser(lowest, Y);
             if (pass == 0 || Y > lowest + 1e-9) continue;
-            total += (bar_top - table_number(t, k, "y")) / (bar_top - Y);
+            total += (bar_top - select_number(t, k, "y")) / (bar_top - Y);
             n++;
         }
     table_free(t);
@@ -102,43 +94,42 @@ static double stretch_of(const Files *files, const char *method, int rule)
 /* Error: 0: no worse than .03, 1: .1, 2: more, 3: lost; the bar: 0 or 3. */
 static int grade(const Table *rows, int row, bool bar)
 {
-    const double error = table_number(rows, row, "error_linf");
+    const double error = select_number(rows, row, "error_linf");
     if (select_is_lost(rows, row) || (!bar && isnan(error))) return 3;
     return bar || error <= 0.03 ? 0 : error <= 0.1 ? 1 : 2;
 }
 
 static void write_end(FILE *f, const Table *rows, int row, bool bar)
 {
-    const double end = table_number(rows, row, "steps") * table_number(rows, row, "dt");
+    const double end = select_number(rows, row, "steps") * select_number(rows, row, "dt");
     if (grade(rows, row, bar) == 3)
         fprintf(f, "lost %.*f s", bar ? 3 : 2, end);
     else if (bar)
         fputs("ok", f);
     else
-        fprintf(f, "%.3f", table_number(rows, row, "error_linf"));
+        fprintf(f, "%.3f", select_number(rows, row, "error_linf"));
 }
 
 /* Column of the grid that a row fills, or -1. */
 static int column_of(const Table *rows, int row, bool quick)
 {
-    const bool bar = strcmp(table_text(rows, row, "problem"), "hanging_bar") == 0;
-    if (bar) return table_number(rows, row, "t_end") > 2 * bar_end ? TURNS : -1;
+    const bool bar = select_is(rows, row, "problem", "hanging_bar");
+    if (bar) return select_number(rows, row, "t_end") > 2 * bar_end ? TURNS : -1;
     for (int k = 0; k < TURNS; k++)
-        if (fabs(select_setting(rows, row, "G") - turns[k]) < 1e-12 &&
-            (quick || fabs(table_number(rows, row, "cells") - (double)FINE) < 0.5))
+        if (fabs(select_number(rows, row, "G") - turns[k]) < 1e-12 &&
+            (quick || fabs(select_number(rows, row, "cells") - (double)FINE) < 0.5))
             return k;
     return -1;
 }
 
-static void write_grid(FILE *f, const Files *files, bool quick)
+static void write_grid(FILE *f, const Results *r)
 {
-    const Table *rows = files->rows;
-    fputs("method,rule,column,line,grade,text,stretch\n", f);
+    const Table *rows = r->rows;
     int line = -1;
     for (int row = 0; row < rows->nrow; row++) {
-        const char *method = table_text(rows, row, "method");
-        const int rule = rule_of(rows, row), column = column_of(rows, row, quick);
-        if (row == 0 || strcmp(method, table_text(rows, row - 1, "method")) != 0 ||
+        const char *method = select_text(rows, row, "method");
+        const int rule = rule_of(rows, row), column = column_of(rows, row, r->quick);
+        if (row == 0 || strcmp(method, select_text(rows, row - 1, "method")) != 0 ||
             rule != rule_of(rows, row - 1))
             line++;
         if (column < 0) continue;
@@ -146,39 +137,27 @@ static void write_grid(FILE *f, const Files *files, bool quick)
                 grade(rows, row, column == TURNS));
         write_end(f, rows, row, column == TURNS);
         if (column == TURNS)
-            fprintf(f, ",%.5g\n", stretch_of(files, method, rule));
+            fprintf(f, ",%.5g\n", stretch_of(r, method, rule));
         else
             fputs(",\n", f);
     }
 }
 
 /* Errors against N at G = .5, runs that reached the end. */
-static void output_errors(FILE *f, const Table *rows)
+static void write_errors(FILE *f, const Table *rows)
 {
-    fputs("method,rule,cells,error,status\n", f);
     for (int row = 0; row < rows->nrow; row++)
-        if (fabs(select_setting(rows, row, "G") - 0.5) < 1e-12)
-            fprintf(f, "%s,%s,%g,%.10g,%s\n", table_text(rows, row, "method"),
-                    rules[rule_of(rows, row)], table_number(rows, row, "cells"),
-                    table_number(rows, row, "error_linf"),
+        if (fabs(select_number(rows, row, "G") - 0.5) < 1e-12)
+            fprintf(f, "%s,%s,%g,%.10g,%s\n", select_text(rows, row, "method"),
+                    rules[rule_of(rows, row)], select_number(rows, row, "cells"),
+                    select_number(rows, row, "error_linf"),
                     select_is_lost(rows, row) ? "lost" : "ok");
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
-    char path[PATH_TEXT];
-    Files files;
-    files_open(&files, dir, name);
-    int code = files.rows ? 0 : fault_set(fault, FAULT_MACHINE, "%s/%s.csv is gone", dir, name);
-    for (int k = 0; k < 2 && !code; k++) {
-        table_part_path(path, dir, name, k ? "errors" : "grid");
-        FILE *f = file_begin(path, fault);
-        if (f && k) output_errors(f, files.rows);
-        if (f && !k) write_grid(f, &files, quick);
-        code = f ? file_commit(f, path, fault) : FAULT_MACHINE;
-    }
-    files_close(&files);
-    return code;
+    write_grid(results_write(r, "grid", "method,rule,column,line,grade,text,stretch"), r);
+    write_errors(results_write(r, "errors", "method,rule,cells,error,status"), r->rows);
 }
 
 static Measure error(const Table *t, const char *method, const char *rule, int cells)
@@ -198,13 +177,12 @@ static Measure error_at(const Table *grid, const char *method, const char *rule,
 /* How many of the named are lost in a column of the grid (3: the vortex at G = 1; 4: the bar). */
 static Measure lost(const Table *grid, const char *methods, const char *rule, int column)
 {
-    char list[128], *rest = list;
-    Measure n = sum_of(0);
-    snprintf(list, sizeof list, "%s", methods);
-    for (char *m; (m = strtok_r(rest, " ", &rest));) {
+    char m[WORD_TEXT];
+    Measure n = measure_sum_of(0);
+    while (select_word(&methods, m)) {
         const Measure grade =
             select_value(grid, "grade", "method=%s rule=%s column=%d", m, rule, column);
-        n = sum(n, with_value(grade, grade.value > 2));
+        n = measure_sum(n, measure_with(grade, grade.value > 2));
     }
     return n;
 }
@@ -212,9 +190,9 @@ static Measure lost(const Table *grid, const char *methods, const char *rule, in
 static void check_vortex(Check *c, const Table *e, const Table *grid)
 {
     enum { FULL = TURNS - 1 };
-    const Measure fem = over(error(e, "fem", "fxx", 8), error(e, "fem", "fxx", 24));
+    const Measure fem = measure_ratio(error(e, "fem", "fxx", 8), error(e, "fem", "fxx", 24));
     claim(c, "H-15.vortex-fem", "vortex, G = .5: FEM is of second order: order from N = 8 to 24",
-          with_value(fem, log(fem.value) / log(3)), 1.8, 2.2);
+          measure_with(fem, log(fem.value) / log(3)), 1.8, 2.2);
     claim(c, "H-15.vortex-gimp", "full vortex: of GIMP and GE-GIMP with l = l0 F_xx are lost",
           lost(grid, "gimp ge_gimp", "fxx", FULL), 2, 2);
     claim_differs(c, "H-15.vortex-stretch",
@@ -224,11 +202,12 @@ static void check_vortex(Check *c, const Table *e, const Table *grid)
                   "undeformed");
     claim(c, "H-15.vortex-undeformed",
           "GIMP with boxes that stay as they were lives: its error over that of B-splines",
-          over(error_at(grid, "gimp", "undeformed", FULL), error_at(grid, "bspline", "fxx", FULL)),
+          measure_ratio(error_at(grid, "gimp", "undeformed", FULL),
+                        error_at(grid, "bspline", "fxx", FULL)),
           0, 1.5);
     claim(c, "H-15.vortex-stretch-gain",
           "G = .5, N = 24: GIMP's error with U over that with F_xx: U buys some",
-          over(error(e, "gimp", "stretch", FINE), error(e, "gimp", "fxx", FINE)), 0, 0.95);
+          measure_ratio(error(e, "gimp", "stretch", FINE), error(e, "gimp", "fxx", FINE)), 0, 0.95);
     claim(c, "H-15.vortex-fixed-functions",
           "full vortex: of B-splines, APIC and TPIC, whose functions do not follow F, are lost",
           lost(grid, "bspline apic tpic", "fxx", FULL), 0, 0);
@@ -252,23 +231,20 @@ static void check_bar(Check *c, const Table *grid)
                   "particles at the corners of the clamp invert before t = .06");
     claim(c, "H-15.bar-agrees",
           "before that all agree: GIMP's length of the bar at t = .045 s over FEM's",
-          over(select_value(grid, "stretch", "method=gimp rule=fxx column=4"),
-               select_value(grid, "stretch", "method=fem rule=fxx column=4")),
+          measure_ratio(select_value(grid, "stretch", "method=gimp rule=fxx column=4"),
+                        select_value(grid, "stretch", "method=fem rule=fxx column=4")),
           0.97, 1.03);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *e = claim_part(c, dir, "errors"), *grid = claim_part(c, dir, "grid");
-    (void)rows;
+    const Table *e = results_part(r, "errors"), *grid = results_part(r, "grid");
     check_vortex(c, e, grid);
     check_bar(c, grid);
-    table_free(grid);
-    table_free(e);
 }
 
 const Study study_h_15_large_deformation = {
-    .name = name,
+    .name = "h_15_large_deformation",
     .figure = "H-15",
     .about = "large shear, rotation and stretch: who survives, and which particle boxes help",
     .cases = cases,

@@ -7,10 +7,10 @@
  * Where the tail starts: how far the points at which cells are cut lie from the true surface, at
  * the start, when fields are exact. */
 #include <math.h>
-#include <string.h>
-#include "studies/tables/files.h"
+#include <stdlib.h>
+#include "studies/tables/curves.h"
 
-/* Settings in the order in which rows spell them. */
+/* The settings that runs change. */
 enum { AVERAGE, DISTANCE, QUADRATURE, RETURN, SPURIOUS, STRESS, TRIGGER, SETTINGS };
 static const char *const names[SETTINGS] = {"average",           "distance", "quadrature", "return",
                                             "spurious_velocity", "stress",   "trigger"};
@@ -53,7 +53,6 @@ static const struct {
     [LITERAL] = {false, AVERAGE, "literal"},
 };
 
-static const char name[] = "t_01_wls";
 enum { METHODS = 3, CUT_MESHES = 6 };
 static const char *const cut_methods[METHODS] = {"wls", "wls2", "ge_wls"};
 static const int cut_cells[CUT_MESHES] = {8, 16, 32, 64, 128, 256};
@@ -75,18 +74,18 @@ static void cases(Cases *list, bool quick)
     }
     for (int m = 0; m < METHODS; m++)
         for (int k = 0; k < (quick ? 2 : CUT_MESHES); k++) {
-            char file[64];
-            snprintf(file, sizeof file, "%s.%s.%d.csv", name, cut_methods[m], cut_cells[k]);
-            case_add_with(list, "patches", file, "run ring --method %s --cells %d --set steps=1",
+            char part[64];
+            snprintf(part, sizeof part, "%s.%d", cut_methods[m], cut_cells[k]);
+            case_add_with(list, "patches", part, "run ring --method %s --cells %d --set steps=1",
                           cut_methods[m], cut_cells[k]);
         }
 }
 
 /* Largest distance [m] of any cut point of a file of patches from the ring's radii at the start;
  * NAN if it cannot be read. A point on an edge of a cell has one coordinate on a grid line. */
-static double cut_error(const char *path, int n)
+static double cut_error(char *path, int n)
 {
-    FILE *f = fopen(path, "r");
+    FILE *f = path ? fopen(path, "r") : NULL;
     char line[256];
     double most = -INFINITY;
     while (f && fgets(line, sizeof line, f)) {
@@ -96,30 +95,24 @@ static double cut_error(const char *path, int n)
         const bool on_x = fabs(x * n - round(x * n)) < 1e-7,
                    on_y = fabs(y * n - round(y * n)) < 1e-7;
         if (on_x == on_y) continue;
-        most = worse(most, lesser(fabs(hypot(x, y) - 0.625), fabs(hypot(x, y) - 1.1)));
+        most =
+            measure_worse(most, measure_lesser(fabs(hypot(x, y) - 0.625), fabs(hypot(x, y) - 1.1)));
     }
     if (f) fclose(f);
+    free(path);
     return isinf(most) ? NAN : most;
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
-    char path[PATH_TEXT], part[64];
-    Files files;
-    files_open(&files, dir, name);
-    table_part_path(path, dir, name, "cuts");
-    FILE *f = file_begin(path, fault);
-    if (f) fputs("method,cells,error,status\n", f);
-    for (int m = 0; f && m < METHODS; m++)
-        for (int k = 0; k < (quick ? 2 : CUT_MESHES); k++) {
+    char part[64];
+    FILE *f = results_write(r, "cuts", "method,cells,error,status");
+    for (int m = 0; m < METHODS; m++)
+        for (int k = 0; k < (r->quick ? 2 : CUT_MESHES); k++) {
             snprintf(part, sizeof part, "%s.%d", cut_methods[m], cut_cells[k]);
-            table_part_path(path, dir, name, part);
             fprintf(f, "%s,%d,%.17g,%s\n", cut_methods[m], cut_cells[k],
-                    cut_error(path, cut_cells[k]), file_status(&files, part));
+                    cut_error(results_path(r, part), cut_cells[k]), results_status(r, part));
         }
-    files_close(&files);
-    table_part_path(path, dir, name, "cuts");
-    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
 static const char *setting(int run, int which)
@@ -128,18 +121,19 @@ static const char *setting(int run, int which)
     return runs[run].cures ? cured[which] : published[which];
 }
 
-#define ALL_SETTINGS                                                                               \
-    "A=0.1;angle=0;average=%s;distance=%s;hermite=0;mass=lumped;offset_x=0;offset_y=0;"            \
-    "quadrature=%s;return=%s;sector=quarter;spurious_velocity=%s;stress=%s;surface_per_cell=0;"    \
-    "trigger=%s"
-#define SETTINGS_OF(run)                                                                           \
-    setting(run, AVERAGE), setting(run, DISTANCE), setting(run, QUADRATURE), setting(run, RETURN), \
-        setting(run, SPURIOUS), setting(run, STRESS), setting(run, TRIGGER)
+/* The rows of a run: all settings as they are in it; not those that only draw cut cells. */
+static const char *where_is(int run, char out[256])
+{
+    int n = snprintf(out, 256, "method=%s set.steps=0", runs[run].cures ? "wls2" : "wls");
+    for (int k = 0; k < SETTINGS; k++)
+        n += snprintf(out + n, 256 - (size_t)n, " %s=%s", names[k], setting(run, k));
+    return out;
+}
 
 static void pick(Curve *c, const Table *rows, const char *want, int run)
 {
-    curve_pick(c, rows, "cells", want, "method=%s params=" ALL_SETTINGS,
-               runs[run].cures ? "wls2" : "wls", SETTINGS_OF(run));
+    char where[256];
+    curve_pick(c, rows, "cells", want, "%s", where_is(run, where));
 }
 
 static Measure error_at(const Table *rows, int run, double n)
@@ -154,7 +148,7 @@ static Measure order(const Table *rows, int run, double from, double to, int mes
 {
     Curve c;
     pick(&c, rows, "error_linf", run);
-    return times(curve_order(&c, from, to, meshes), -1);
+    return measure_times(curve_order(&c, from, to, meshes), -1);
 }
 
 static void check_values(Check *c, const Table *rows)
@@ -181,9 +175,9 @@ static void check_causes(Check *c, const Table *rows)
           error_at(rows, WLS2, 128), 0, 4e-5);
     claim(c, "T-1.no-normals",
           "without the distance along normals the tail is back: error over WLS2's at N = 128",
-          over(error_at(rows, MEAN, 128), error_at(rows, WLS2, 128)), 1.3, 10);
+          measure_ratio(error_at(rows, MEAN, 128), error_at(rows, WLS2, 128)), 1.3, 10);
     claim(c, "T-1.no-exact", "without the exact rule in cut cells: error over WLS2's at N = 128",
-          over(error_at(rows, CENTROID, 128), error_at(rows, WLS2, 128)), 1.3, 10);
+          measure_ratio(error_at(rows, CENTROID, 128), error_at(rows, WLS2, 128)), 1.3, 10);
     claim(c, "T-1.spline-order",
           "the return path through the wide spline keeps second order over N = 64 ... 256",
           order(rows, SPLINE, 64, 256, 5), 1.8, 2.3);
@@ -192,33 +186,31 @@ static void check_causes(Check *c, const Table *rows)
 /* Readings of the text that do not run. */
 static void check_failures(Check *c, const Table *rows)
 {
-    Measure lost = sum_of(5);
+    char where[256];
+    Measure lost = measure_sum_of(5);
     claim(c, "T-1.c0", "values of nodes only, no slopes: largest error at N = 64 (WLS: 2.7e-4)",
           error_at(rows, C0, 64), 5e-3, 1);
     for (int k = 0; k < 5; k++) {
         const double steps =
-            select_ended_value(rows, "steps", "method=wls cells=%d params=" ALL_SETTINGS, cells[k],
-                               SETTINGS_OF(LITERAL))
-                .value;
-        add_sum(&lost, isnan(steps) ? NAN : steps < 20);
+            select_ended(rows, "steps", "%s cells=%d", where_is(LITERAL, where), cells[k]).value;
+        measure_add(&lost, isnan(steps) ? NAN : steps < 20);
     }
     claim(c, "T-1.literal", "the mean of forces as printed: runs of five lost within 20 steps",
           lost, 5, 5);
 }
 
-/* From N = 16 on: PHYSICS 8 (b). */
-static void check_cuts(Check *c, const char *dir)
+/* Orders from N = 16 on. */
+static void check_cuts(Check *c, const Results *r)
 {
     Measure order[METHODS], most[METHODS];
-    Table *t = claim_part(c, dir, "cuts");
+    const Table *t = results_part(r, "cuts");
     for (int m = 0; m < METHODS; m++) {
         Curve curve;
         curve_pick(&curve, t, "cells", "error", "method=%s", cut_methods[m]);
-        order[m] = times(curve_order(&curve, 16, 128, 4), -1);
+        order[m] = measure_times(curve_order(&curve, 16, 128, 4), -1);
         for (int k = 0; k < curve.n; k++) curve.y[k] *= curve.x[k] * curve.x[k];
         most[m] = curve_max(&curve, CUT_MESHES);
     }
-    table_free(t);
     claim(c, "T-1.cuts-mean",
           "cut points by the mean of surface points fall below second order: order over 16 ... 128",
           order[0], 0.6, 1.8);
@@ -229,16 +221,16 @@ static void check_cuts(Check *c, const char *dir)
           2.8, 5);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    check_cuts(c, dir);
-    check_values(c, rows);
-    check_causes(c, rows);
-    check_failures(c, rows);
+    check_cuts(c, r);
+    check_values(c, r->rows);
+    check_causes(c, r->rows);
+    check_failures(c, r->rows);
 }
 
 const Study study_t_01_wls = {
-    .name = name,
+    .name = "t_01_wls",
     .figure = "T-1",
     .about = "WLS on the ring: one reading changed at a time, and where its tail comes from",
     .cases = cases,

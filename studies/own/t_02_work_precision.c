@@ -10,10 +10,10 @@
 #include <string.h>
 #include "studies/tables/effort.h"
 #include "studies/tables/curves.h"
+#include "studies/runs/engines.h"
 #include "studies/runs/run_args.h"
 
 enum { REPEATS = 3, PPCS = 3, MOST_MESHES = 8, USUAL = 1, INTEGRATORS = 5 };
-static const char name[] = "t_02_work_precision";
 static const char *const integrators[INTEGRATORS] = {"cd", "usl", "musl", "uvf", "usf"};
 
 typedef struct Ladder {
@@ -108,9 +108,8 @@ static void others_add(const Ask *a, int meshes, const char *option, const char 
 static void method_add(const Ask *a)
 {
     static const char *const layouts[] = {"cartesian", "radial"};
-    double S, G;
     char options[128];
-    if (a->ladder->engine->weight(a->method, 0, 0.25, &S, &G)) { /* it has no particles */
+    if (!engine_has_grid(a->ladder->engine, a->method)) { /* it has no particles */
         ladder_add(a, a->ladder->fem, "");
         return;
     }
@@ -131,13 +130,9 @@ static void cases(Cases *list, bool quick)
                 method_add(&(Ask){list, &ladders[k], (*m)->name, repeat, quick});
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
-    Table *rows = table_read_part(dir, name, NULL, fault);
-    if (!rows) return FAULT_MACHINE;
-    const int code = effort_tables(rows, quick ? 1 : REPEATS, dir, name, fault);
-    table_free(rows);
-    return code;
+    effort_tables(r, r->quick ? 1 : REPEATS);
 }
 
 typedef struct Reach {
@@ -154,14 +149,13 @@ static Measure reach(const Reach *r, const char *method, const char *column)
 
 static Measure ratio(const Reach *r, const char *method, const char *beside, const char *column)
 {
-    return over(reach(r, method, column), reach(r, beside, column));
+    return measure_ratio(reach(r, method, column), reach(r, beside, column));
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *t = claim_part(c, dir, "reach");
+    const Table *t = results_part(r, "reach");
     const Reach bar = {t, "sine_bar", "0.001"}, ring = {t, "ring", "0.001"};
-    (void)rows;
     claim(c, "T-2.bar-ge-steps",
           "sine bar to 1e-3: particle-steps of GIMP over GE-GIMP's, each at its best",
           ratio(&bar, "gimp", "ge_gimp", "work"), 1.2, 3);
@@ -170,11 +164,10 @@ static void check(Check *c, const Table *rows, const char *dir)
           ratio(&bar, "gimp", "ge_gimp", "seconds"), 0.8, 4);
     claim(c, "T-2.ring-fem", "ring to 1e-3: CPU time of GIMP at its best over FEM's",
           ratio(&ring, "gimp", "fem", "seconds"), 3, 100);
-    table_free(t);
 }
 
 const Study study_t_02_work_precision = {
-    .name = name,
+    .name = "t_02_work_precision",
     .figure = "T-2",
     .about = "speed against error: every method and FEM on every problem with an exact solution",
     .cases = cases,

@@ -15,7 +15,6 @@
 #include "studies/tables/curves.h"
 #include "studies/tables/stability.h"
 
-static const char name[] = "t_04_stability";
 enum { STALE = 16 }; /* lines of pairs with a stale gradient */
 
 /* Slow runs are rationed: what the figure shows, the default integrators, gets the finest mesh and
@@ -51,7 +50,7 @@ static double lowest(const Table *rows, int row)
 {
     const Pair pair = pairs[pair_of_row(rows, row)];
     const bool usual =
-        stability_is_usual(stability_of_row(rows, row), table_text(rows, row, "method"), pair);
+        stability_is_usual(stability_of_row(rows, row), select_text(rows, row, "method"), pair);
     return usual ? stability_rungs[0] / 2 : stability_rungs[0];
 }
 
@@ -73,10 +72,9 @@ static void refine(Cases *list, const Table *rows, bool quick)
     free(ladders);
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
-    (void)quick;
-    return stability_tables(dir, name, fault);
+    stability_tables(r);
 }
 
 /* The least limit over PPC of a pair in 1D. */
@@ -90,26 +88,26 @@ static Measure plane(const Table *worst, const char *method, const char *integra
 {
     static const char where[] = "dim=2 method=%s integrator=%s refresh=0 amplitude=%g";
     const double *A = stability_maps[1].A;
-    return least(select_value(worst, "stable", where, method, integrator, A[0]),
-                 select_value(worst, "stable", where, method, integrator, A[1]));
+    return measure_min(select_value(worst, "stable", where, method, integrator, A[0]),
+                       select_value(worst, "stable", where, method, integrator, A[1]));
 }
 
 /* The largest over methods that refuse an integrator for its stale gradient. */
 static Measure best_stale(const Table *worst)
 {
-    Measure best = largest_of(STALE);
+    Measure best = measure_max_of(STALE);
     for (int row = 0; row < worst->nrow; row++) {
-        const Pair fresh = {table_text(worst, row, "integrator"), true};
-        const Engine *engine = engines[table_number(worst, row, "dim") > 1];
+        const Pair fresh = {select_text(worst, row, "integrator"), true};
+        const Engine *engine = engines[select_number(worst, row, "dim") > 1];
         const char *problem = stability_maps[engine->dim - 1].problem;
-        if (table_number(worst, row, "refresh") > 0) continue;
-        if (!pair_is_run(engine, problem, table_text(worst, row, "method"), fresh)) continue;
-        add_largest(&best, table_number(worst, row, "stable"));
+        if (select_number(worst, row, "refresh") > 0) continue;
+        if (!pair_is_run(engine, problem, select_text(worst, row, "method"), fresh)) continue;
+        measure_add_max(&best, select_number(worst, row, "stable"));
     }
     return best;
 }
 
-/* HARD_CASES H9: what a ladder of tenths found; the limit lies between that rung and the next. */
+/* Expected ranges are the rungs of tenths between which an earlier search found each limit. */
 static void check_bar(Check *c, const Table *worst)
 {
     static const char tent[] = "method=mpm integrator=cd", gimp[] = "method=gimp integrator=cd";
@@ -130,16 +128,16 @@ static void check_bar(Check *c, const Table *worst)
           bar(worst, "kept", ge, 0.05), 0.6, 0.7);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *worst = claim_part(c, dir, "worst");
-    (void)rows;
+    const Table *worst = results_part(r, "worst");
     check_bar(c, worst);
     for (int k = 0; k < 2; k++) {
         const char *pair = k ? "method=gimp integrator=uvf" : "method=gimp integrator=musl";
         claim(c, k ? "T-4.uvf" : "T-4.musl",
               k ? "and with uvf" : "GIMP with musl: A = 1e-4 and .01, the lower limit",
-              least(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4, 2);
+              measure_min(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4,
+              2);
     }
     claim(c, "T-4.plane-gimp", "2D, own measurement: GIMP with cd, the worse amplitude",
           plane(worst, "gimp", "cd"), 0.65, 0.8);
@@ -147,11 +145,10 @@ static void check(Check *c, const Table *rows, const char *dir)
     claim(c, "T-4.plane-fem", "FEM", plane(worst, "fem", "cd"), 0.6, 0.8);
     claim(c, "T-4.stale", "a stale gradient projected twice a step: largest limit of all such",
           best_stale(worst), 0, 0);
-    table_free(worst);
 }
 
 const Study study_t_04_stability = {
-    .name = name,
+    .name = "t_04_stability",
     .figure = "T-4",
     .about = "stability maps: CFL x PPC x amplitude, largest stable CFL of every pair, 1D and 2D",
     .cases = cases,

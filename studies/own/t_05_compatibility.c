@@ -15,7 +15,6 @@
 #include "studies/tables/curves.h"
 #include "studies/tables/pairs.h"
 
-static const char name[] = "t_05_compatibility";
 static const double period = 0.02; /* [s] 2 L/c, of both scenes */
 
 /* By dimension. */
@@ -42,14 +41,14 @@ static void cases(Cases *list, bool quick)
 static int dim_of(const Table *rows, int row)
 {
     int s = 0;
-    while (strcmp(scenes[s].problem, table_text(rows, row, "problem")) != 0) s++;
+    while (strcmp(scenes[s].problem, select_text(rows, row, "problem")) != 0) s++;
     return scenes[s].engine->dim;
 }
 
 /* How a run went: 0 energy kept within .1 %, 1 within 5 %, 2 changed by more, 3 lost. */
 static int grade(const Table *rows, int row)
 {
-    double drift = fabs(table_number(rows, row, "energy_drift"));
+    double drift = fabs(select_number(rows, row, "energy_drift"));
     if (select_is_lost(rows, row) || isnan(drift)) return 3;
     return drift <= 0.001 ? 0 : drift <= 0.05 ? 1 : 2;
 }
@@ -59,35 +58,28 @@ static int line_of(const Table *rows, int row)
 {
     const Engine *engine = scenes[dim_of(rows, row) - 1].engine;
     int line = 0;
-    while (strcmp(engine->methods[line]->name, table_text(rows, row, "method")) != 0) line++;
+    while (strcmp(engine->methods[line]->name, select_text(rows, row, "method")) != 0) line++;
     return line;
 }
 
 static void write_cell(FILE *f, const Table *rows, int row)
 {
-    double end = table_number(rows, row, "steps") * table_number(rows, row, "dt") / period;
+    double end = select_number(rows, row, "steps") * select_number(rows, row, "dt") / period;
     int k = pair_of_row(rows, row), g = grade(rows, row);
-    fprintf(f, "%d,%s,%s%s,%d,%d,%d,", dim_of(rows, row), table_text(rows, row, "method"),
+    fprintf(f, "%d,%s,%s%s,%d,%d,%d,", dim_of(rows, row), select_text(rows, row, "method"),
             pairs[k].integrator, pairs[k].refresh ? " fresh" : "", k, line_of(rows, row), g);
     if (g < 3) {
-        fprintf(f, "%+.2f %%\n", 100 * table_number(rows, row, "energy_drift"));
+        fprintf(f, "%+.2f %%\n", 100 * select_number(rows, row, "energy_drift"));
         return;
     }
-    for (const char *c = table_text(rows, row, "status"); *c; c++) putc(*c == '_' ? ' ' : *c, f);
+    for (const char *c = select_text(rows, row, "status"); *c; c++) putc(*c == '_' ? ' ' : *c, f);
     fprintf(f, " %.2f T\n", end);
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
-    char path[PATH_TEXT];
-    (void)quick;
-    table_part_path(path, dir, name, "grid");
-    Table *rows = table_read_part(dir, name, NULL, fault);
-    FILE *f = rows ? file_begin(path, fault) : NULL;
-    if (f) fputs("dim,method,integrator,column,line,grade,text\n", f);
-    for (int row = 0; f && row < rows->nrow; row++) write_cell(f, rows, row);
-    table_free(rows);
-    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+    FILE *f = results_write(r, "grid", "dim,method,integrator,column,line,grade,text");
+    for (int row = 0; row < r->rows->nrow; row++) write_cell(f, r->rows, row);
 }
 
 /* Is this row one of a method's in one dimension, in columns from .. to? */
@@ -95,27 +87,27 @@ static bool is_among(const Table *rows, int row, int dim, const char *method, in
 {
     const int k = pair_of_row(rows, row);
     return dim_of(rows, row) == dim && k >= from && k <= to &&
-           strcmp(table_text(rows, row, "method"), method) == 0;
+           select_is(rows, row, "method", method);
 }
 
 /* The largest energy drift of them; there are to - from + 1. */
 static Measure largest_drift(const Table *rows, int dim, const char *method, int from, int to)
 {
-    Measure most = largest_of(to - from + 1);
+    Measure most = measure_max_of(to - from + 1);
     for (int row = 0; row < rows->nrow; row++)
         if (is_among(rows, row, dim, method, from, to))
-            add_largest(&most, fabs(kept_number(rows, row, "energy_drift")));
+            measure_add_max(&most, fabs(select_kept(rows, row, "energy_drift")));
     return most;
 }
 
 /* How many of them were lost, or ended with more than `most` of their energy gained. */
 static Measure losses(const Table *rows, int dim, const char *method, int from, int to, double most)
 {
-    Measure lost = sum_of(to - from + 1);
+    Measure lost = measure_sum_of(to - from + 1);
     for (int row = 0; row < rows->nrow; row++)
         if (is_among(rows, row, dim, method, from, to))
-            add_sum(&lost,
-                    select_is_lost(rows, row) || table_number(rows, row, "energy_drift") > most);
+            measure_add(&lost, select_is_lost(rows, row) ||
+                                   select_number(rows, row, "energy_drift") > most);
     return lost;
 }
 
@@ -125,42 +117,42 @@ static Measure drift(const Table *rows, const char *method, const char *integrat
                         integrator);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
     enum { CD, USL, MUSL, UVF, USF, MUSL_FRESH, UVF_FRESH };
-    (void)dir;
     claim(c, "T-5.gimp",
           "GIMP keeps the energy in all five integrators: largest change in ten periods",
-          largest_drift(rows, 1, "gimp", CD, USF), 0, 0.0008);
+          largest_drift(r->rows, 1, "gimp", CD, USF), 0, 0.0008);
     claim(c, "T-5.stale", "a stale gradient with musl, uvf or usf: runs lost of six",
-          sum(losses(rows, 1, "ge_gimp", MUSL, USF, INFINITY),
-              losses(rows, 1, "ge_mpm", MUSL, USF, INFINITY)),
+          measure_sum(losses(r->rows, 1, "ge_gimp", MUSL, USF, INFINITY),
+                      losses(r->rows, 1, "ge_mpm", MUSL, USF, INFINITY)),
           6, 6);
     claim(c, "T-5.ge-gimp", "GE-GIMP is stable with cd and usl: largest energy change",
-          largest_drift(rows, 1, "ge_gimp", CD, USL), 0, 0.05);
+          largest_drift(r->rows, 1, "ge_gimp", CD, USL), 0, 0.05);
     claim(c, "T-5.refresh", "and with musl and uvf if the gradient is fresh: largest energy change",
-          largest_drift(rows, 1, "ge_gimp", MUSL_FRESH, UVF_FRESH), 0, 0.05);
-    claim(c, "T-5.tent-cd", "tents lose a fifth of the energy with cd", drift(rows, "mpm", "cd"),
+          largest_drift(r->rows, 1, "ge_gimp", MUSL_FRESH, UVF_FRESH), 0, 0.05);
+    claim(c, "T-5.tent-cd", "tents lose a fifth of the energy with cd", drift(r->rows, "mpm", "cd"),
           -0.25, -0.15);
-    claim(c, "T-5.tent-usl", "and with usl", drift(rows, "mpm", "usl"), -0.25, -0.15);
-    claim_differs(c, "T-5.tent-uvf", "and keep it with uvf", drift(rows, "mpm", "uvf"), -0.005,
+    claim(c, "T-5.tent-usl", "and with usl", drift(r->rows, "mpm", "usl"), -0.25, -0.15);
+    claim_differs(c, "T-5.tent-uvf", "and keep it with uvf", drift(r->rows, "mpm", "uvf"), -0.005,
                   0.005, -0.03, 0.03, "how much is luck of round-off: tents cross cells");
     claim(c, "T-5.tent-usf", "and gain some with usf (how much is luck of round-off)",
-          drift(rows, "mpm", "usf"), 0.01, 1);
+          drift(r->rows, "mpm", "usf"), 0.01, 1);
     claim(c, "T-5.plane-gimp", "2D: GIMP runs lost in any integrator",
-          losses(rows, 2, "gimp", CD, USF, INFINITY), 0, 0);
-    claim(
-        c, "T-5.plane-stale", "2D: a stale gradient: runs lost, or with twice their energy, of six",
-        sum(losses(rows, 2, "ge_gimp", MUSL, USF, 0.5), losses(rows, 2, "ge_mpm", MUSL, USF, 0.5)),
-        6, 6);
+          losses(r->rows, 2, "gimp", CD, USF, INFINITY), 0, 0);
+    claim(c, "T-5.plane-stale",
+          "2D: a stale gradient: runs lost, or with twice their energy, of six",
+          measure_sum(losses(r->rows, 2, "ge_gimp", MUSL, USF, 0.5),
+                      losses(r->rows, 2, "ge_mpm", MUSL, USF, 0.5)),
+          6, 6);
     claim(c, "T-5.plane-ge-gimp", "2D: GE-GIMP with cd and usl: largest energy change",
-          largest_drift(rows, 2, "ge_gimp", CD, USL), 0, 0.05);
+          largest_drift(r->rows, 2, "ge_gimp", CD, USL), 0, 0.05);
     claim(c, "T-5.plane-refresh", "2D: with musl and uvf, if the gradient is fresh",
-          largest_drift(rows, 2, "ge_gimp", MUSL_FRESH, UVF_FRESH), 0, 0.05);
+          largest_drift(r->rows, 2, "ge_gimp", MUSL_FRESH, UVF_FRESH), 0, 0.05);
 }
 
 const Study study_t_05_compatibility = {
-    .name = name,
+    .name = "t_05_compatibility",
     .figure = "T-5",
     .about = "method x integrator x gradient enhancement: ten periods of standing waves, 1D and 2D",
     .cases = cases,

@@ -11,11 +11,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "studies/tables/files.h"
-#include "studies/runs/memory.h"
+#include "studies/tables/curves.h"
+#include "studies/runs/must.h"
 
 enum { NORMS = 6, MESHES = 5 };
-static const char name[] = "t_06_norms";
 static const char *const norms[NORMS] = {"linf over time",  "l2 over time",  "l1 over time",
                                          "linf at the end", "l2 at the end", "l1 at the end"};
 static const char *const columns[3] = {"error_linf", "error_l2", "error_l1"};
@@ -33,22 +32,21 @@ static const Ladder ladders[] = {
 };
 enum { LADDERS = sizeof ladders / sizeof *ladders };
 
-static void part_name(char part[64], const Ladder *l, const char *method, int cells)
+static char *part_name(char part[64], const Ladder *l, const char *method, int cells)
 {
     snprintf(part, 64, "%s.%s.%d", l->problem, method, cells);
+    return part;
 }
 
 static void cases(Cases *list, bool quick)
 {
-    char part[64], file[128];
+    char part[64];
     for (const Ladder *l = ladders; l < ladders + LADDERS; l++)
         for (int m = 0; m < 3 && l->methods[m]; m++)
-            for (int k = 0; k < (quick ? 3 : MESHES) && l->cells[k]; k++) {
-                part_name(part, l, l->methods[m], l->cells[k]);
-                snprintf(file, sizeof file, "%s.%s.csv", name, part);
-                case_add_with(list, "errors", file, "run %s --method %s --cells %d%s", l->problem,
-                              l->methods[m], l->cells[k], l->settings);
-            }
+            for (int k = 0; k < (quick ? 3 : MESHES) && l->cells[k]; k++)
+                case_add_with(list, "errors", part_name(part, l, l->methods[m], l->cells[k]),
+                              "run %s --method %s --cells %d%s", l->problem, l->methods[m],
+                              l->cells[k], l->settings);
 }
 
 /* linf, l2, l1 of a file of errors. */
@@ -56,8 +54,8 @@ static void end_norms(const Table *points, double out[3])
 {
     double most = points->nrow ? 0 : NAN, square = 0, total = 0, weight = 0;
     for (int k = 0; k < points->nrow; k++) {
-        const double e = table_number(points, k, "error"), w = table_number(points, k, "weight");
-        most = worse(most, e);
+        const double e = select_number(points, k, "error"), w = select_number(points, k, "weight");
+        most = measure_worse(most, e);
         square += w * e * e;
         total += w * e;
         weight += w;
@@ -67,15 +65,14 @@ static void end_norms(const Table *points, double out[3])
     out[2] = total / weight;
 }
 
-static int six_norms(const Files *files, const Ladder *l, const char *method, int cells,
+static int six_norms(const Results *r, const Ladder *l, const char *method, int cells,
                      double out[NORMS])
 {
     char part[64];
-    part_name(part, l, method, cells);
-    Table *points = file_read(files, part);
+    Table *points = results_file(r, part_name(part, l, method, cells));
     if (!points) return -1;
     for (int k = 0; k < 3; k++)
-        out[k] = select_value(files->rows, columns[k], "problem=%s method=%s cells=%d", l->problem,
+        out[k] = select_value(r->rows, columns[k], "problem=%s method=%s cells=%d", l->problem,
                               method, cells)
                      .value;
     end_norms(points, out + 3);
@@ -84,12 +81,12 @@ static int six_norms(const Files *files, const Ladder *l, const char *method, in
 }
 
 /* One line a norm: its error on the usual mesh, its order over all. */
-static void write_norms(FILE *f, const Files *files, const Ladder *l, const char *method)
+static void write_norms(FILE *f, const Results *r, const Ladder *l, const char *method)
 {
     double error[NORMS][MESHES], h[MESHES], one[NORMS], usual[NORMS] = {NAN};
     int n = 0;
     for (int k = 0; k < MESHES && l->cells[k]; k++) {
-        if (six_norms(files, l, method, l->cells[k], one)) continue;
+        if (six_norms(r, l, method, l->cells[k], one)) continue;
         h[n] = 1.0 / l->cells[k];
         for (int m = 0; m < NORMS; m++) error[m][n] = one[m];
         if (l->cells[k] == l->usual) memcpy(usual, one, sizeof usual);
@@ -97,7 +94,7 @@ static void write_norms(FILE *f, const Files *files, const Ladder *l, const char
     }
     for (int m = 0; m < NORMS && n > 0; m++)
         fprintf(f, "%s,%s,%d,%s,%.10g,%.6g,%d\n", l->problem, method, m, norms[m], usual[m],
-                order_of_all(n, h, error[m]), n);
+                curve_slope(n, h, error[m]), n);
 }
 
 typedef struct Cloud {
@@ -105,19 +102,18 @@ typedef struct Cloud {
     double *x, *y, *error;
 } Cloud;
 
-static Cloud cloud_read(const Files *files, const Ladder *l, const char *method, int cells)
+static Cloud cloud_read(const Results *r, const Ladder *l, const char *method, int cells)
 {
     char part[64];
-    part_name(part, l, method, cells);
-    Table *t = file_read(files, part);
+    Table *t = results_file(r, part_name(part, l, method, cells));
     Cloud c = {.n = t ? t->nrow : 0};
     c.x = must(calloc(3 * (size_t)c.n + 1, sizeof *c.x));
     c.y = c.x + c.n;
     c.error = c.y + c.n;
     for (int k = 0; k < c.n; k++) {
-        c.x[k] = table_number(t, k, "X");
-        c.y[k] = table_number(t, k, "Y");
-        c.error[k] = table_number(t, k, "error");
+        c.x[k] = select_number(t, k, "X");
+        c.y[k] = select_number(t, k, "Y");
+        c.error[k] = select_number(t, k, "error");
     }
     table_free(t);
     return c;
@@ -149,25 +145,25 @@ static Same compare(const Cloud *mesh, const Cloud *particles, double h)
 {
     Same s = {0};
     for (int k = 0; k < mesh->n; k++) {
-        s.all[0] = worse(s.all[0], mesh->error[k]);
+        s.all[0] = measure_worse(s.all[0], mesh->error[k]);
         const int p = nearest_inside(particles, mesh->x[k], mesh->y[k], h);
         if (p < 0) continue;
         const double e[2] = {mesh->error[k], particles->error[p]};
         for (int c = 0; c < 2; c++) {
-            s.linf[c] = worse(s.linf[c], e[c]);
+            s.linf[c] = measure_worse(s.linf[c], e[c]);
             s.l1[c] += e[c];
         }
         s.pairs++;
     }
-    for (int k = 0; k < particles->n; k++) s.all[1] = worse(s.all[1], particles->error[k]);
+    for (int k = 0; k < particles->n; k++) s.all[1] = measure_worse(s.all[1], particles->error[k]);
     for (int c = 0; c < 2; c++) s.l1[c] /= s.pairs;
     return s;
 }
 
-static void write_same(FILE *f, const Files *files, const Ladder *l, const char *method, int cells)
+static void write_same(FILE *f, const Results *r, const Ladder *l, const char *method, int cells)
 {
-    Cloud mesh = cloud_read(files, l, l->methods[2], cells);
-    Cloud particles = cloud_read(files, l, method, cells);
+    Cloud mesh = cloud_read(r, l, l->methods[2], cells);
+    Cloud particles = cloud_read(r, l, method, cells);
     const Same s = compare(&mesh, &particles, 1.0 / cells);
     if (s.pairs)
         fprintf(f, "%s,%d,%d,%d,%.10g,%.10g,%.10g,%.10g,%.10g,%.10g\n", method, cells, mesh.n,
@@ -176,33 +172,16 @@ static void write_same(FILE *f, const Files *files, const Ladder *l, const char 
     free(particles.x);
 }
 
-static FILE *begin(const char *dir, const char *part, char path[PATH_TEXT], const char *header,
-                   Fault *fault)
+static void tables(const Results *r)
 {
-    table_part_path(path, dir, name, part);
-    FILE *f = file_begin(path, fault);
-    if (f) fprintf(f, "%s\n", header);
-    return f;
-}
-
-static int tables(const char *dir, bool quick, Fault *fault)
-{
-    char path[PATH_TEXT];
-    (void)quick;
-    Files files;
-    files_open(&files, dir, name);
-    FILE *f = begin(dir, "norms", path, "problem,method,norm,name,error,order,meshes", fault);
-    for (const Ladder *l = ladders; f && l < ladders + LADDERS; l++)
-        for (int m = 0; m < 3 && l->methods[m]; m++) write_norms(f, &files, l, l->methods[m]);
-    const int code = f ? file_commit(f, path, fault) : FAULT_MACHINE;
-    f = code ? NULL
-             : begin(dir, "same", path,
-                     "method,cells,nodes,pairs,fem_all,all,fem_linf,linf,fem_l1,l1", fault);
-    for (int m = 0; f && m < 2; m++)
+    FILE *f = results_write(r, "norms", "problem,method,norm,name,error,order,meshes");
+    FILE *g =
+        results_write(r, "same", "method,cells,nodes,pairs,fem_all,all,fem_linf,linf,fem_l1,l1");
+    for (const Ladder *l = ladders; l < ladders + LADDERS; l++)
+        for (int m = 0; m < 3 && l->methods[m]; m++) write_norms(f, r, l, l->methods[m]);
+    for (int m = 0; m < 2; m++)
         for (int k = 0; k < MESHES && ladders[0].cells[k]; k++)
-            write_same(f, &files, &ladders[0], ladders[0].methods[m], ladders[0].cells[k]);
-    files_close(&files);
-    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+            write_same(g, r, &ladders[0], ladders[0].methods[m], ladders[0].cells[k]);
 }
 
 /* Of norm k; an order stands on as many rows as there are meshes. */
@@ -223,31 +202,31 @@ static Measure norm(const Table *t, const char *problem, const char *method, int
 /* Largest less least order of six. */
 static Measure order_spread(const Table *t, const char *problem, const char *method)
 {
-    Measure most = largest_of(0), low = least_of(0);
+    Measure most = measure_max_of(0), low = measure_min_of(0);
     for (int k = 0; k < NORMS; k++) {
-        most = largest(most, norm(t, problem, method, k, "order"));
-        low = least(low, norm(t, problem, method, k, "order"));
+        most = measure_max(most, norm(t, problem, method, k, "order"));
+        low = measure_min(low, norm(t, problem, method, k, "order"));
     }
-    return with_value(most, most.value - low.value);
+    return measure_with(most, most.value - low.value);
 }
 
 /* GIMP's error over FEM's on the ring: the largest ratio of six over the least. */
 static Measure ratio_spread(const Table *t)
 {
-    Measure most = largest_of(0), low = least_of(0);
+    Measure most = measure_max_of(0), low = measure_min_of(0);
     for (int k = 0; k < NORMS; k++) {
         const Measure r =
-            over(norm(t, "ring", "gimp", k, "error"), norm(t, "ring", "fem", k, "error"));
-        most = largest(most, r);
-        low = least(low, r);
+            measure_ratio(norm(t, "ring", "gimp", k, "error"), norm(t, "ring", "fem", k, "error"));
+        most = measure_max(most, r);
+        low = measure_min(low, r);
     }
-    return times(most, 1 / low.value);
+    return measure_times(most, 1 / low.value);
 }
 
 static Measure same_ratio(const Table *same, int cells, const char *particles, const char *mesh)
 {
-    return over(select_value(same, particles, "method=gimp cells=%d", cells),
-                select_value(same, mesh, "method=gimp cells=%d", cells));
+    return measure_ratio(select_value(same, particles, "method=gimp cells=%d", cells),
+                         select_value(same, mesh, "method=gimp cells=%d", cells));
 }
 
 static void check_tables(Check *c, const Table *t, const Table *same)
@@ -278,17 +257,14 @@ static void check_tables(Check *c, const Table *t, const Table *same)
           same_ratio(same, 8, "l1", "fem_l1"), 0.7, 0.95);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *t = claim_part(c, dir, "norms"), *same = claim_part(c, dir, "same");
-    (void)rows;
+    const Table *t = results_part(r, "norms"), *same = results_part(r, "same");
     check_tables(c, t, same);
-    table_free(same);
-    table_free(t);
 }
 
 const Study study_t_06_norms = {
-    .name = name,
+    .name = "t_06_norms",
     .figure = "T-6",
     .about = "one run, six norms, six orders: how the norm changes the verdict; and at same points",
     .cases = cases,

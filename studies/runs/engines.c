@@ -1,15 +1,95 @@
 /* engines.c: the dimensions of this program, and which of them a run is for. */
 #include <stdio.h>
 #include <string.h>
-#include "run_args.h"
+#include "engines.h"
+#include "options.h"
 
 const Engine *const engines[] = {&engine_1d, &engine_2d, &engine_3d, NULL};
 
-static int knows(const Engine *e, const char *problem)
+enum { MOST_NAMES = 64 };
+
+static const Info *find(const Info *const *list, const char *name)
 {
-    for (const Info *const *p = e->problems; *p; p++)
-        if (strcmp((*p)->name, problem) == 0) return 1;
-    return 0;
+    while (*list && strcmp((*list)->name, name) != 0) list++;
+    return *list;
+}
+
+const Info *engine_problem(const char *name)
+{
+    const Info *found = NULL;
+    for (const Engine *const *e = engines; *e && !found; e++) found = find((*e)->problems, name);
+    return found;
+}
+
+const Info *engine_method(const char *name)
+{
+    const Info *found = NULL;
+    for (const Engine *const *e = engines; *e && !found; e++) found = find((*e)->methods, name);
+    return found;
+}
+
+bool engine_has_problem(const Engine *engine, const char *name)
+{
+    return find(engine->problems, name) != NULL;
+}
+
+bool engine_has_grid(const Engine *engine, const char *method)
+{
+    double S, G;
+    return engine->weight(method, 0, 0.25, &S, &G) == 0;
+}
+
+bool engine_takes(const Info *info, const char *param)
+{
+    for (const Param *p = info->params; p && p->name; p++)
+        if (strcmp(p->name, param) == 0) return true;
+    return false;
+}
+
+static int gather(const Info *const *list, const char *names[], int n, int max)
+{
+    for (; *list; list++) {
+        int seen = 0;
+        for (int k = 0; k < n; k++) seen |= strcmp(names[k], (*list)->name) == 0;
+        if (!seen && n < max) names[n++] = (*list)->name;
+    }
+    return n;
+}
+
+int engine_problem_names(const char *names[], int max)
+{
+    int n = 0;
+    for (const Engine *const *e = engines; *e; e++) n = gather((*e)->problems, names, n, max);
+    return n;
+}
+
+int engine_method_names(const char *names[], int max)
+{
+    int n = 0;
+    for (const Engine *const *e = engines; *e; e++) n = gather((*e)->methods, names, n, max);
+    return n;
+}
+
+static int name_check(const char *what, const char *takes, const char *got,
+                      const char *const *names, int n, Fault *fault)
+{
+    for (int k = 0; k < n; k++)
+        if (strcmp(names[k], got) == 0) return 0;
+    return option_refuse(fault, what, got, takes, names, n);
+}
+
+int engine_check_problem(const char *name, Fault *fault)
+{
+    const char *names[MOST_NAMES];
+    return name_check("PROBLEM", "a problem", name, names, engine_problem_names(names, MOST_NAMES),
+                      fault);
+}
+
+int engine_check_method(const char *option, const char *name, Fault *fault)
+{
+    const char *names[MOST_NAMES];
+    return name_check(option, "a method", name, names, engine_method_names(names, MOST_NAMES),
+                      fault);
 }
 
 /* Without dim=, a scene of several dimensions runs in the highest below 3, as it did before 3D
@@ -20,7 +100,7 @@ const Engine *engine_for(const RunSpec *spec, Fault *fault)
     const Engine *found = NULL;
     char dims[32] = "", word[8];
     for (const Engine *const *e = engines; *e; e++) {
-        if (!knows(*e, spec->problem)) continue;
+        if (!engine_has_problem(*e, spec->problem)) continue;
         snprintf(word, sizeof word, "%d", (*e)->dim);
         if (dim && strcmp(dim, word) == 0) return *e;
         if (dims[0]) strcat(dims, " or ");
@@ -28,11 +108,9 @@ const Engine *engine_for(const RunSpec *spec, Fault *fault)
         if (!found || (*e)->dim < 3) found = *e;
     }
     if (found && !dim) return found;
-    const char *names[64];
     if (found)
         option_refuse(fault, "--set dim", dim, dims, NULL, 0);
     else
-        option_refuse(fault, "PROBLEM", spec->problem, "a problem", names,
-                      engine_problem_names(names, 64));
+        engine_check_problem(spec->problem, fault);
     return NULL;
 }

@@ -11,7 +11,7 @@ enum { MOST_OPTIONS = 32, FIRST = 1000 }; /* getopt's values count from FIRST: n
 int option_refuse(Fault *fault, const char *what, const char *got, const char *takes,
                   const char *const *names, int n)
 {
-    const char *near = n > 0 ? fault_nearest_name(got, names, n) : NULL;
+    const char *near = n > 0 && *got ? fault_nearest_name(got, names, n) : NULL;
     return fault_set(fault, FAULT_USAGE, "%s: got '%.80s', takes %s%s%s%s", what, got, takes,
                      near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
 }

@@ -1,11 +1,14 @@
 /* run_args.c: one table says which option fills which field of a RunSpec and what it takes. */
 #include "run_args.h"
 
+#include <stdarg.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include "memory.h"
+#include "engines.h"
+#include "must.h"
 
 const Option run_args_options[] = {
     {"method", "M", "how particles and grid exchange information (default gimp)"},
@@ -24,7 +27,7 @@ const Option run_args_options[] = {
     {"errors", "FILE", "write every point's error at the end"},
     {"patches", "FILE", "write the polygons of cells or elements at the end (2D, 3D)"},
     {"vtk", "DIR", "write snapshots into DIR"},
-    {"every", "K", "steps between snapshots (default: first and last only)"},
+    {"every", "K", "steps between snapshots, or seconds: .001s (default: first and last only)"},
     {"quiet", NULL, "no messages"},
     {NULL, NULL, NULL},
 };
@@ -54,71 +57,27 @@ static const struct File {
     {"vtk", offsetof(RunArgs, spec.vtk)},         {"csv", offsetof(RunArgs, csv)},
 };
 
-enum { MOST_NAMES = 64 };
-
-static int gather(const Info *const *list, const char *names[], int n, int max)
-{
-    for (; *list; list++) {
-        int seen = 0;
-        for (int k = 0; k < n; k++) seen |= strcmp(names[k], (*list)->name) == 0;
-        if (!seen && n < max) names[n++] = (*list)->name;
-    }
-    return n;
-}
-
-int engine_problem_names(const char *names[], int max)
-{
-    int n = 0;
-    for (const Engine *const *e = engines; *e; e++) n = gather((*e)->problems, names, n, max);
-    return n;
-}
-
-int engine_method_names(const char *names[], int max)
-{
-    int n = 0;
-    for (const Engine *const *e = engines; *e; e++) n = gather((*e)->methods, names, n, max);
-    return n;
-}
-
-static int name_check(const char *what, const char *takes, const char *got,
-                      const char *const *names, int n, Fault *fault)
-{
-    for (int k = 0; k < n; k++)
-        if (strcmp(names[k], got) == 0) return 0;
-    return option_refuse(fault, what, got, takes, names, n);
-}
-
-int engine_check_method(const char *option, const char *name, Fault *fault)
-{
-    const char *names[MOST_NAMES];
-    return name_check(option, "a method", name, names, engine_method_names(names, MOST_NAMES),
-                      fault);
-}
-
 static int take_problem(RunSpec *spec, const char *got, Fault *fault)
 {
-    const char *names[MOST_NAMES];
     if (spec->problem[0]) return option_refuse(fault, "PROBLEM", got, "one problem only", NULL, 0);
-    if (name_check("PROBLEM", "a problem", got, names, engine_problem_names(names, MOST_NAMES),
-                   fault))
-        return FAULT_USAGE;
+    if (engine_check_problem(got, fault)) return FAULT_USAGE;
     snprintf(spec->problem, sizeof spec->problem, "%s", got);
     return 0;
 }
 
 /* Which integrators there are, and for which method, only the engine knows. */
-static int take_integrator(RunSpec *spec, const char *got, Fault *fault)
+static int take_integrator(RunArgs *args, const char *got, Fault *fault)
 {
-    if (!*got || strlen(got) >= sizeof spec->integrator)
+    if (!*got || strlen(got) >= sizeof args->spec.integrator)
         return option_refuse(fault, "--integrator", got, "an integrator's name", NULL, 0);
-    strcpy(spec->integrator, got);
+    strcpy(args->spec.integrator, got);
     return 0;
 }
 
-static int take_method(RunSpec *spec, const char *got, Fault *fault)
+static int take_method(RunArgs *args, const char *got, Fault *fault)
 {
     if (engine_check_method("--method", got, fault)) return FAULT_USAGE;
-    snprintf(spec->method, sizeof spec->method, "%s", got);
+    snprintf(args->spec.method, sizeof args->spec.method, "%s", got);
     return 0;
 }
 
@@ -165,6 +124,47 @@ static int take_file(RunArgs *args, const struct File *f, const char *got, Fault
     return 0;
 }
 
+static int take_set(RunArgs *args, const char *got, Fault *fault)
+{
+    return spec_set(&args->spec, got, fault);
+}
+
+static int take_threads(RunArgs *args, const char *got, Fault *fault)
+{
+    return option_whole("--threads", got, 1024, &args->spec.threads, fault);
+}
+
+/* So many steps, or so much time: a number and an s. */
+static int take_every(RunArgs *args, const char *got, Fault *fault)
+{
+    RunSpec *spec = &args->spec;
+    char number[64];
+    double t = 0;
+    const size_t n = strlen(got);
+    spec->every = 0;
+    spec->every_s = 0;
+    if (n == 0 || n >= sizeof number || got[n - 1] != 's')
+        return option_whole("--every", got, 1000000000, &spec->every, fault);
+    snprintf(number, sizeof number, "%.*s", (int)n - 1, got);
+    if (info_number_parse(number, &t) || t <= 0)
+        return option_refuse(fault, "--every", got, "steps, or seconds above 0 as .001s", NULL, 0);
+    spec->every_s = t;
+    return 0;
+}
+
+static int take_quiet(RunArgs *args, const char *got, Fault *fault)
+{
+    (void)got, (void)fault;
+    args->quiet = true;
+    return 0;
+}
+
+static const struct {
+    const char *option;
+    int (*take)(RunArgs *args, const char *got, Fault *fault);
+} others[] = {{"method", take_method},   {"integrator", take_integrator}, {"set", take_set},
+              {"threads", take_threads}, {"every", take_every},           {"quiet", take_quiet}};
+
 static int take(void *into, const char *name, const char *got, Fault *fault)
 {
     RunArgs *args = into;
@@ -174,21 +174,9 @@ static int take(void *into, const char *name, const char *got, Fault *fault)
         if (strcmp(numbers[k].option, name) == 0) return take_number(spec, &numbers[k], got, fault);
     for (size_t k = 0; k < sizeof files / sizeof *files; k++)
         if (strcmp(files[k].option, name) == 0) return take_file(args, &files[k], got, fault);
-    switch (name[0]) { /* the rest differ in their first letters */
-    case 'm':
-        return take_method(spec, got, fault);
-    case 'i':
-        return take_integrator(spec, got, fault);
-    case 's':
-        return spec_set(spec, got, fault);
-    case 't':
-        return option_whole("--threads", got, 1024, &spec->threads, fault);
-    case 'e':
-        return option_whole("--every", got, 1000000000, &spec->every, fault);
-    default:
-        args->quiet = true;
-        return 0;
-    }
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        if (strcmp(others[k].option, name) == 0) return others[k].take(args, got, fault);
+    return fault_set(fault, FAULT_USAGE, "unknown option '--%s'", name);
 }
 
 int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault)
@@ -199,7 +187,7 @@ int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault)
     if (!args->spec.problem[0])
         return fault_set(fault, FAULT_USAGE,
                          "PROBLEM: got nothing, takes one of those that 'list problems' prints");
-    if (args->spec.every && !args->spec.vtk)
+    if ((args->spec.every || args->spec.every_s > 0) && !args->spec.vtk)
         return fault_set(fault, FAULT_USAGE, "--every: needs --vtk DIR");
     return 0;
 }
@@ -229,4 +217,16 @@ int run_args_resolve(const char *text, RunSpec *spec, const Engine **engine, Fau
     *spec = args.spec;
     *engine = engine_for(spec, fault);
     return *engine ? (*engine)->resolve(spec, fault) : FAULT_USAGE;
+}
+
+bool run_args_is_run(const char *format, ...)
+{
+    char text[SPEC_TEXT];
+    const Engine *engine;
+    RunSpec spec;
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    return run_args_resolve(text, &spec, &engine, NULL) == 0;
 }

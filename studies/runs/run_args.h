@@ -21,11 +21,7 @@ int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault);
  * whose names would not outlive the text. */
 int run_args_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault);
 
-/* The names that any engine knows, each once; at most max. How many. */
-int engine_problem_names(const char *names[], int max);
-int engine_method_names(const char *names[], int max);
-
-/* Takes a method's name, or refuses it with the nearest one. */
-int engine_check_method(const char *option, const char *name, Fault *fault);
+/* Is this a run that the program takes ("run block --set domain=stretch")? */
+bool run_args_is_run(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 #endif

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "parts.h"
 
 enum { LARGE = 120000 }; /* bytes of a drawing that may be better as pixels */

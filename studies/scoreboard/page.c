@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "facts.h"
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "parts.h"
 #include "studies/engine/plot.h"
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
 #include "parts.h"
 #include "studies/tables/curves.h"
 

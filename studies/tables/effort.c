@@ -1,19 +1,13 @@
 /* effort.c: the points of effort.h: best of repeats, Pareto fronts. */
-#include "effort_points.h"
+#include "effort.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "studies/runs/memory.h"
-#include "curves.h"
+#include "studies/runs/must.h"
+#include "studies/runs/engines.h"
 #include "studies/runs/run_args.h"
-
-static bool is_planar(const char *problem)
-{
-    for (const Info *const *p = engine_2d.problems; *p; p++)
-        if (strcmp((*p)->name, problem) == 0) return true;
-    return false;
-}
+#include "studies/select.h"
 
 /* Instructions of one particle-step, as `make bench` counted them: in 2D, with default integrators;
  * NAN where it has not. */
@@ -22,7 +16,7 @@ static double instructions(const Table *bench, const Effort *e)
     char text[256];
     const Engine *engine;
     RunSpec spec;
-    if (!bench || !is_planar(e->problem)) return NAN;
+    if (!bench || !engine_has_problem(&engine_2d, e->problem)) return NAN;
     snprintf(text, sizeof text, "run %s --method %s", e->problem, e->method);
     if (run_args_resolve(text, &spec, &engine, NULL) || strcmp(spec.integrator, e->integrator) != 0)
         return NAN;
@@ -32,8 +26,9 @@ static double instructions(const Table *bench, const Effort *e)
 /* The number of the points that the run moved, times its steps. */
 static double work(const Table *t, int row)
 {
-    const double elements = table_number(t, row, "elements"), steps = table_number(t, row, "steps");
-    const double points = isfinite(elements) ? elements : table_number(t, row, "particles");
+    const double elements = select_number(t, row, "elements"),
+                 steps = select_number(t, row, "steps");
+    const double points = isfinite(elements) ? elements : select_number(t, row, "particles");
     return points * (steps > 0 ? steps : 1);
 }
 
@@ -43,29 +38,29 @@ static bool is_repeat(const Table *t, int row, int other)
     static const char *const same[] = {"problem",    "method", "integrator", "layout",
                                        "error_linf", "cells",  "ppc"};
     for (size_t k = 0; k < sizeof same / sizeof *same; k++)
-        if (strcmp(table_text(t, row, same[k]), table_text(t, other, same[k])) != 0) return false;
+        if (!select_is(t, row, same[k], select_text(t, other, same[k]))) return false;
     return !select_is_lost(t, other);
 }
 
 static Effort point(const Table *t, int row, int repeats, const Table *bench)
 {
-    Effort e = {.problem = table_text(t, row, "problem"),
-                .method = table_text(t, row, "method"),
-                .integrator = table_text(t, row, "integrator"),
-                .layout = table_text(t, row, "layout"),
-                .status = table_text(t, row, "status"),
-                .ppc = table_number(t, row, "ppc"),
-                .cells = table_number(t, row, "cells"),
-                .error = table_number(t, row, "error_linf"),
+    Effort e = {.problem = select_text(t, row, "problem"),
+                .method = select_text(t, row, "method"),
+                .integrator = select_text(t, row, "integrator"),
+                .layout = select_text(t, row, "layout"),
+                .status = select_text(t, row, "status"),
+                .ppc = select_number(t, row, "ppc"),
+                .cells = select_number(t, row, "cells"),
+                .error = select_number(t, row, "error_linf"),
                 .work = work(t, row)};
     double cpu[16];
     const int apart = t->nrow / repeats, n = repeats < 16 ? repeats : 16;
     bool whole = t->nrow % repeats == 0;
     for (int k = 0; k < n; k++) {
-        cpu[k] = table_number(t, row + k * apart, "cpu_s");
+        cpu[k] = select_number(t, row + k * apart, "cpu_s");
         whole = whole && cpu[k] > 0 && is_repeat(t, row, row + k * apart);
     }
-    e.median = select_median(n, cpu); /* sorts */
+    e.median = measure_median(n, cpu); /* sorts */
     e.cpu = cpu[0];
     e.instructions = e.work * instructions(bench, &e);
     e.usable = whole && e.error > 0;
@@ -109,13 +104,8 @@ static void cell(FILE *f, double x)
     putc(',', f);
 }
 
-static int write_points(const Efforts *all, const char *path, Fault *fault)
+static void write_points(FILE *f, const Efforts *all)
 {
-    FILE *f = file_begin(path, fault);
-    if (!f) return FAULT_MACHINE;
-    fputs("problem,method,integrator,layout,status,ppc,cells,error,cpu_s,cpu_median,work,"
-          "instructions,front,front_work,front_own,front_own_work\n",
-          f);
     for (const Effort *e = all->list; e < all->list + all->n; e++) {
         fprintf(f, "%s,%s,%s,%s,%s,", e->problem, e->method, e->integrator, e->layout, e->status);
         const double numbers[] = {e->ppc,    e->cells, e->error,       e->cpu,
@@ -123,25 +113,27 @@ static int write_points(const Efforts *all, const char *path, Fault *fault)
         for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) cell(f, numbers[k]);
         fprintf(f, "%d,%d,%d,%d\n", e->front, e->front_work, e->front_own, e->front_own_work);
     }
-    return file_commit(f, path, fault);
 }
 
-int effort_tables(const Table *rows, int repeats, const char *dir, const char *name, Fault *fault)
+void effort_tables(const Results *r, int repeats)
 {
-    char path[PATH_TEXT];
+    const Table *rows = r->rows;
     Efforts all = {0};
-    snprintf(path, sizeof path, "%s/t_03_speed.csv", dir);
-    Table *bench = table_read(path, NULL);
+    Table *bench = table_read_part(r->dir, "t_03_speed", NULL, NULL);
     for (int row = 0; row < rows->nrow / repeats; row++) {
         all.list = must_grow(all.list, all.n, sizeof *all.list);
         all.list[all.n++] = point(rows, row, repeats, bench);
     }
     mark_fronts(&all);
-    table_part_path(path, dir, name, "points");
-    int code = write_points(&all, path, fault);
-    table_part_path(path, dir, name, "reach");
-    if (code == 0) code = effort_reach_write(&all, path, fault);
+    write_points(results_write(r, "points",
+                               "problem,method,integrator,layout,status,ppc,cells,error,cpu_s,"
+                               "cpu_median,work,instructions,front,front_work,front_own,"
+                               "front_own_work"),
+                 &all);
+    effort_reach_write(results_write(r, "reach",
+                                     "problem,target,method,how,seconds,work,instructions,cells,"
+                                     "integrator,layout,ppc"),
+                       &all);
     table_free(bench);
     free(all.list);
-    return code;
 }

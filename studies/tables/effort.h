@@ -14,8 +14,27 @@
 
 #include "studies/study.h"
 
-/* Writes both tables. `rows` are `repeats` times the same cases, all once before any twice; meshes
- * of one set of options stand together, from coarse to fine. 0 or a fault. */
-int effort_tables(const Table *rows, int repeats, const char *dir, const char *name, Fault *fault);
+/* One case; texts belong to the table of rows. */
+typedef struct Effort {
+    const char *problem, *method, *integrator, *layout, *status;
+    double ppc, cells, error;       /* particles per cell really used; cells per unit length; - */
+    double cpu, median;             /* [s] of the repeats: least, median */
+    double work, instructions;      /* particle-steps; NAN: not counted */
+    bool usable;                    /* reached its end, with an error */
+    bool front, front_work;         /* on the problem's Pareto front by CPU time, by work */
+    bool front_own, front_own_work; /* on its method's */
+} Effort;
+
+typedef struct Efforts {
+    int n;
+    Effort *list;
+} Efforts;
+
+/* Writes both tables. The rows are `repeats` times the same cases, all once before any twice;
+ * meshes of one set of options stand together, from coarse to fine. */
+void effort_tables(const Results *results, int repeats);
+
+/* The lines of NAME.reach.csv. */
+void effort_reach_write(FILE *f, const Efforts *all);
 
 #endif

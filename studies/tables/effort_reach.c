@@ -1,7 +1,7 @@
 /* effort_reach.c: what it costs to reach a given error: NAME.reach.csv of effort.h. */
 #include <math.h>
 #include <string.h>
-#include "effort_points.h"
+#include "effort.h"
 
 enum { TARGETS = 3 };
 static const double targets[TARGETS] = {1e-3, 3e-4, 1e-4};
@@ -119,11 +119,8 @@ static void write_cost(FILE *f, const Cost *c, double target)
     }
 }
 
-int effort_reach_write(const Efforts *all, const char *path, Fault *fault)
+void effort_reach_write(FILE *f, const Efforts *all)
 {
-    FILE *f = file_begin(path, fault);
-    if (!f) return FAULT_MACHINE;
-    fputs("problem,target,method,how,seconds,work,instructions,cells,integrator,layout,ppc\n", f);
     for (int k = 0; k < all->n; k++) {
         const Effort *e = &all->list[k], *before = k ? e - 1 : NULL;
         if (before && strcmp(before->problem, e->problem) == 0 &&
@@ -134,5 +131,4 @@ int effort_reach_write(const Efforts *all, const char *path, Fault *fault)
             write_cost(f, &c, targets[t]);
         }
     }
-    return file_commit(f, path, fault);
 }

@@ -3,29 +3,24 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include "studies/runs/memory.h"
+#include "studies/runs/must.h"
+#include "studies/select.h"
 
 static const double radius = 0.5; /* [m], of the hole; the plate is 1 m wide */
 
-/* FEM's mesh: PHYSICS 10. Elements 2 q and 2 q + 1 make quad q, which count across first. */
-int hole_reference_read(HoleReference *r, const char *path, int cells, Fault *fault)
+/* FEM's mesh of the plate (problems/hole_plate.c). Elements 2 q and 2 q + 1 make quad q, which
+ * count across first. */
+int hole_reference_read(HoleReference *r, const Table *t, int cells)
 {
     *r = (HoleReference){.ni = (int)ceil(0.6 * cells - 1e-9),
                          .nj = 2 * (int)ceil(M_PI / 4 * 0.7 * cells - 1e-9)};
     const int quads = r->ni * r->nj;
-    Table *t = table_read(path, fault);
-    if (!t) return FAULT_MACHINE;
-    if (t->nrow == 2 * quads && r->ni > 1) {
-        r->stress = must(malloc(sizeof(double) * (size_t)quads));
-        for (int q = 0; q < quads; q++)
-            r->stress[q] = 0.5e-9 * (table_number(t, 2 * q, "von_mises") +
-                                     table_number(t, 2 * q + 1, "von_mises"));
-    }
-    const int rows = t->nrow;
-    table_free(t);
-    if (r->stress) return 0;
-    return fault_set(fault, FAULT_MACHINE, "%s: %d elements, a mesh of %d cells has %d", path, rows,
-                     cells, 2 * quads);
+    if (!t || t->nrow != 2 * quads || r->ni < 2) return -1;
+    r->stress = must(malloc(sizeof(double) * (size_t)quads));
+    for (int q = 0; q < quads; q++)
+        r->stress[q] = 0.5e-9 * (select_number(t, 2 * q, "von_mises") +
+                                 select_number(t, 2 * q + 1, "von_mises"));
+    return 0;
 }
 
 void hole_reference_free(HoleReference *r)
@@ -64,33 +59,30 @@ static int by_angle(const void *a, const void *b)
     return (x->angle > y->angle) - (x->angle < y->angle);
 }
 
-int hole_read(Rim *rim, const char *path, int cells, const HoleReference *r, Fault *fault)
+Rim hole_read(const Table *t, int cells, const HoleReference *r)
 {
-    Table *t = table_read(path, fault);
-    if (!t) return FAULT_MACHINE;
+    Rim rim = {0};
     Point *p = must(malloc(sizeof *p * ((size_t)t->nrow + 1)));
-    *rim = (Rim){0};
     for (int k = 0; k < t->nrow; k++) {
-        const double X = table_number(t, k, "X"), Y = table_number(t, k, "Y");
-        if (table_number(t, k, "surface") > 0) continue;
-        rim->moved =
-            worse(rim->moved, hypot(table_number(t, k, "x") - X, table_number(t, k, "y") - Y));
+        const double X = select_number(t, k, "X"), Y = select_number(t, k, "Y");
+        if (select_number(t, k, "surface") > 0) continue;
+        rim.moved = measure_worse(
+            rim.moved, hypot(select_number(t, k, "x") - X, select_number(t, k, "y") - Y));
         if (hypot(X, Y) - radius > 0.35 / cells + 1e-12) continue;
-        p[rim->n++] = (Point){atan2(Y, X) * 180 / M_PI, 1e-9 * table_number(t, k, "von_mises"),
-                              hole_reference_at(r, X, Y)};
+        p[rim.n++] = (Point){atan2(Y, X) * 180 / M_PI, 1e-9 * select_number(t, k, "von_mises"),
+                             hole_reference_at(r, X, Y)};
     }
-    table_free(t);
-    qsort(p, (size_t)rim->n, sizeof *p, by_angle);
-    rim->angle = must(malloc(sizeof(double) * 3 * ((size_t)rim->n + 1)));
-    rim->stress = rim->angle + rim->n;
-    rim->reference = rim->stress + rim->n;
-    for (int k = 0; k < rim->n; k++) {
-        rim->angle[k] = p[k].angle;
-        rim->stress[k] = p[k].stress;
-        rim->reference[k] = p[k].reference;
+    qsort(p, (size_t)rim.n, sizeof *p, by_angle);
+    rim.angle = must(malloc(sizeof(double) * 3 * ((size_t)rim.n + 1)));
+    rim.stress = rim.angle + rim.n;
+    rim.reference = rim.stress + rim.n;
+    for (int k = 0; k < rim.n; k++) {
+        rim.angle[k] = p[k].angle;
+        rim.stress[k] = p[k].stress;
+        rim.reference[k] = p[k].reference;
     }
     free(p);
-    return 0;
+    return rim;
 }
 
 void hole_free(Rim *rim)
@@ -123,16 +115,14 @@ double hole_scatter(const Rim *rim)
     return sqrt(sum / rim->n);
 }
 
-void rim_measure(const char *reference, int fine, const char *path, int cells, Measure *rms,
-                 Measure *scatter)
+void hole_measure(const Table *reference, int fine, const Table *run, int cells, Measure *rms,
+                  Measure *scatter)
 {
     HoleReference r;
-    Rim rim;
-    if (hole_reference_read(&r, reference, fine, NULL)) return;
-    if (hole_read(&rim, path, cells, &r, NULL) == 0) {
-        *rms = measure(hole_rms(&rim), rim.n, rms->needs);
-        *scatter = measure(hole_scatter(&rim), rim.n, scatter->needs);
-        hole_free(&rim);
-    }
+    if (!run || hole_reference_read(&r, reference, fine)) return;
+    Rim rim = hole_read(run, cells, &r);
+    *rms = measure(hole_rms(&rim), rim.n, rms->needs);
+    *scatter = measure(hole_scatter(&rim), rim.n, scatter->needs);
+    hole_free(&rim);
     hole_reference_free(&r);
 }

@@ -1,5 +1,5 @@
 /* hole.h: stress along the hole of the plate: a fine FEM solution as reference, and how far points
- * near the hole are from it and from each other (PHYSICS 10; W11 fig. 10). Stresses in GPa, angles
+ * near the hole are from it and from each other (W11 fig. 10). Stresses in GPa, angles
  * in degrees from the x axis. */
 #ifndef MPMLAB_HOLE_H
 #define MPMLAB_HOLE_H
@@ -12,8 +12,9 @@ typedef struct HoleReference {
     double *stress; /* [nj][ni] */
 } HoleReference;
 
-/* Reads what `--elements` wrote for a mesh of `cells` per unit length. 0 or a fault. */
-int hole_reference_read(HoleReference *r, const char *path, int cells, Fault *fault);
+/* From the samples of FEM on a mesh of `cells` per unit length. 0, or -1 if these are not there or
+ * of another mesh. */
+int hole_reference_read(HoleReference *r, const Table *samples, int cells);
 void hole_reference_free(HoleReference *r);
 
 /* At reference position (X, Y): bilinear between the quads' middles in xi (0 on the hole, 1 on the
@@ -27,16 +28,16 @@ typedef struct Rim {
     double moved; /* [m] largest displacement of any point of the file */
 } Rim;
 
-/* From a file that `--particles` or `--elements` wrote, h = 1/cells. 0 or a fault. */
-int hole_read(Rim *rim, const char *path, int cells, const HoleReference *r, Fault *fault);
+/* From a file of particles or samples, h = 1/cells. */
+Rim hole_read(const Table *points, int cells, const HoleReference *r);
 void hole_free(Rim *rim);
 
 double hole_rms(const Rim *rim);     /* of stress less reference */
 double hole_scatter(const Rim *rim); /* rms of that about its mean of seven neighbours in angle */
 
 /* Both of a run of `cells` against the reference of `fine`, into measures that know how many points
- * they need. */
-void rim_measure(const char *reference, int fine, const char *path, int cells, Measure *rms,
-                 Measure *scatter);
+ * they need. Tables may be NULL. */
+void hole_measure(const Table *reference, int fine, const Table *run, int cells, Measure *rms,
+                  Measure *scatter);
 
 #endif

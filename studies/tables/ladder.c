@@ -4,13 +4,13 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "studies/runs/memory.h"
-#include "curves.h"
+#include "studies/runs/must.h"
+#include "studies/select.h"
 
 Grade ladder_row_grade(const Table *rows, int row)
 {
     if (select_is_lost(rows, row)) return LOST;
-    return strcmp(table_text(rows, row, "status"), "ok") == 0 ? STABLE : GREW;
+    return select_is(rows, row, "status", "ok") ? STABLE : GREW;
 }
 
 /* What rows of one ladder have in common; those first that tell most of them apart. */
@@ -40,7 +40,7 @@ static int find(const Ladder *list, int n, int last, const Table *rows, const in
 /* In its place; a rung that is there already counts once. */
 static void add_rung(Ladder *l, const Table *rows, int row, Grade grade)
 {
-    const double cfl = table_number(rows, row, "cfl");
+    const double cfl = select_number(rows, row, "cfl");
     int at = l->n;
     while (at > 0 && l->cfl[at - 1] > cfl) at--;
     if (l->n == MOST_RUNGS || (at > 0 && !(l->cfl[at - 1] < cfl))) return;
@@ -86,12 +86,12 @@ static void add_case(Cases *list, const Table *rows, int row, double cfl)
     static const char *const names[] = {"method", "integrator", "cells", "ppc", "t-end"};
     char text[2048], params[512], *rest = params;
     int n = snprintf(text, sizeof text, "run %s --cfl %.17g --set layout=%s",
-                     table_text(rows, row, "problem"), cfl, table_text(rows, row, "layout"));
+                     select_text(rows, row, "problem"), cfl, select_text(rows, row, "layout"));
     for (int k = 0; k < 5; k++) {
-        const char *value = table_text(rows, row, options[k]);
+        const char *value = select_text(rows, row, options[k]);
         if (*value) n += snprintf(text + n, sizeof text - (size_t)n, " --%s %s", names[k], value);
     }
-    snprintf(params, sizeof params, "%s", table_text(rows, row, "params"));
+    snprintf(params, sizeof params, "%s", select_text(rows, row, "params"));
     for (char *set; (set = strtok_r(rest, ";", &rest));)
         n += snprintf(text + n, sizeof text - (size_t)n, " --set %s", set);
     case_add(list, "%s", text);

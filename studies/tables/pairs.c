@@ -1,9 +1,8 @@
 /* pairs.c: see pairs.h. */
 #include "pairs.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
+#include <stdio.h>
+#include "studies/select.h"
 
 const Pair pairs[PAIRS] = {{"cd", false},  {"usl", false}, {"musl", false}, {"uvf", false},
                            {"usf", false}, {"musl", true}, {"uvf", true}};
@@ -37,10 +36,10 @@ bool pair_is_run(const Engine *engine, const char *problem, const char *method, 
 
 int pair_of_row(const Table *rows, int row)
 {
-    const char *integrator = table_text(rows, row, "integrator");
-    const bool refresh = row_param(rows, row, "refresh") > 0;
+    const bool refresh = select_number(rows, row, "refresh") > 0;
     for (int k = 0; k < PAIRS; k++)
-        if (pairs[k].refresh == refresh && strcmp(integrator, pairs[k].integrator) == 0) return k;
+        if (pairs[k].refresh == refresh && select_is(rows, row, "integrator", pairs[k].integrator))
+            return k;
     return -1;
 }
 
@@ -50,15 +49,4 @@ void pair_default_integrator(const Engine *engine, const char *problem, const ch
     RunSpec spec;
     snprintf(out, 16, "%s",
              resolves(engine, &spec, problem, method, NULL, false) ? spec.integrator : "");
-}
-
-double row_param(const Table *rows, int row, const char *name)
-{
-    const char *text = table_text(rows, row, "params");
-    const size_t n = strlen(name);
-    while (text && !(strncmp(text, name, n) == 0 && text[n] == '=')) {
-        text = strchr(text, ';');
-        text += text != NULL;
-    }
-    return text ? strtod(text + n + 1, NULL) : NAN;
 }

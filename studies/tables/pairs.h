@@ -10,7 +10,7 @@ typedef struct Pair {
     bool refresh;
 } Pair;
 
-enum { PAIRS = 7, INTEGRATOR_PAIRS = 5 }; /* those with refresh come last */
+enum { PAIRS = 7 }; /* those with refresh come last */
 extern const Pair pairs[PAIRS];
 
 /* Is it run without being asked to allow it? */
@@ -26,8 +26,5 @@ int pair_of_row(const Table *rows, int row);
 /* What `--integrator` is if it is not given. */
 void pair_default_integrator(const Engine *engine, const char *problem, const char *method,
                              char out[16]);
-
-/* A number among the params of a row (A=0.05;E=10000;...), or NAN. */
-double row_param(const Table *rows, int row, const char *name);
 
 #endif

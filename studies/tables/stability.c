@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "ladder.h"
-#include "curves.h"
+#include "studies/select.h"
 
 /* Bits of pairs[]: of the plane cd and uvf, with and without a fresh gradient; T-5 has the others.
  */
@@ -36,14 +36,14 @@ static const char place_header[] = "dim,method,integrator,refresh,default,pair,l
 const Map *stability_of_row(const Table *rows, int row)
 {
     const Map *map = stability_maps;
-    while (strcmp(map->problem, table_text(rows, row, "problem")) != 0) map++;
+    while (!select_is(rows, row, "problem", map->problem)) map++;
     return map;
 }
 
 static void write_place(FILE *f, const Table *rows, int row)
 {
     const Map *map = stability_of_row(rows, row);
-    const char *method = table_text(rows, row, "method");
+    const char *method = select_text(rows, row, "method");
     const Pair pair = pairs[pair_of_row(rows, row)];
     int line = 0;
     while (strcmp(map->engine->methods[line]->name, method) != 0) line++;
@@ -71,8 +71,8 @@ static int column_of(double cfl)
 static void write_map(FILE *f, const Table *rows, const Ladder *l)
 {
     const Map *map = stability_of_row(rows, l->row[0]);
-    const double A = row_param(rows, l->row[0], "A"),
-                 ppc = table_number(rows, l->row[0], "ppc_asked");
+    const double A = select_number(rows, l->row[0], "A"),
+                 ppc = select_number(rows, l->row[0], "ppc_asked");
     int height = 1;
     while (map->ppc[height - 1] > 0) height++;
     for (int k = 0; k < l->n; k++)
@@ -81,7 +81,7 @@ static void write_map(FILE *f, const Table *rows, const Ladder *l)
             write_place(f, rows, l->row[k]);
             fprintf(f, "%.10g,%g,%g,%d,%d,%d,%s\n", ppc, A, l->cfl[k], column_of(l->cfl[k]),
                     index_of(map->A, A) * height + p, l->grade[k],
-                    table_text(rows, l->row[k], "status"));
+                    select_text(rows, l->row[k], "status"));
         }
 }
 
@@ -89,33 +89,18 @@ static void write_map(FILE *f, const Table *rows, const Ladder *l)
 static void write_limits(FILE *f, const Table *rows, const Ladder *l)
 {
     write_place(f, rows, l->row[0]);
-    fprintf(f, "%s,%g", table_text(rows, l->row[0], "ppc_asked"), row_param(rows, l->row[0], "A"));
+    fprintf(f, "%s,%g", select_text(rows, l->row[0], "ppc_asked"),
+            select_number(rows, l->row[0], "A"));
     for (Grade worst = STABLE; worst < LOST; worst++) {
         int first;
         fprintf(f, ",%.6g,", ladder_limit(l, worst, &first));
         if (first < 0)
             fprintf(f, ",,");
         else
-            fprintf(f, "%.6g,%s,%s", l->cfl[first], table_text(rows, l->row[first], "status"),
-                    table_text(rows, l->row[first], "reason"));
+            fprintf(f, "%.6g,%s,%s", l->cfl[first], select_text(rows, l->row[first], "status"),
+                    select_text(rows, l->row[first], "reason"));
     }
     putc('\n', f);
-}
-
-typedef void Writer(FILE *f, const Table *rows, const Ladder *l);
-
-static int write_ladders(const Table *rows, const char *dir, const char *name, const char *part,
-                         Writer *write, const char *columns, Fault *fault)
-{
-    char path[PATH_TEXT];
-    Ladder *ladders;
-    table_part_path(path, dir, name, part);
-    const int n = ladder_read_all(rows, &ladders);
-    FILE *f = file_begin(path, fault);
-    if (f) fprintf(f, "%s,%s\n", place_header, columns);
-    for (int k = 0; f && k < n; k++) write(f, rows, &ladders[k]);
-    free(ladders);
-    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
 /* The row of least `what` among those that agree with row `first` in the columns; -1 if an earlier
@@ -127,10 +112,10 @@ static int least_of_group(const Table *t, int first, const char *what, int n,
     for (int row = 0; row < t->nrow; row++) {
         bool same = true;
         for (int k = 0; k < n && same; k++)
-            same = strcmp(table_text(t, row, columns[k]), table_text(t, first, columns[k])) == 0;
+            same = strcmp(select_text(t, row, columns[k]), select_text(t, first, columns[k])) == 0;
         if (!same) continue;
         if (row < first) return -1;
-        if (best < 0 || table_number(t, row, what) < table_number(t, best, what)) best = row;
+        if (best < 0 || select_number(t, row, what) < select_number(t, best, what)) best = row;
     }
     return best;
 }
@@ -139,16 +124,15 @@ static int least_of_group(const Table *t, int first, const char *what, int n,
 static void write_worst(FILE *f, const Table *limits)
 {
     static const char *const group[] = {"method", "pair", "amplitude", "dim"};
-    fprintf(f, "%s,amplitude,place,stable,kept\n", place_header);
     for (int row = 0; row < limits->nrow; row++) {
         const int s = least_of_group(limits, row, "stable", 4, group);
         const int k = least_of_group(limits, row, "kept", 4, group);
         if (s < 0) continue;
         for (int c = 0; c < 7; c++) fprintf(f, "%s,", limits->cell[row * limits->ncol + c]);
-        const Map *map = &stability_maps[table_number(limits, row, "dim") > 1];
-        const double A = table_number(limits, row, "amplitude");
-        fprintf(f, "%g,%d,%s,%s\n", A, index_of(map->A, A), table_text(limits, s, "stable"),
-                table_text(limits, k, "kept"));
+        const Map *map = &stability_maps[select_number(limits, row, "dim") > 1];
+        const double A = select_number(limits, row, "amplitude");
+        fprintf(f, "%g,%d,%s,%s\n", A, index_of(map->A, A), select_text(limits, s, "stable"),
+                select_text(limits, k, "kept"));
     }
 }
 
@@ -156,49 +140,42 @@ static void write_worst(FILE *f, const Table *limits)
 static void write_safe(FILE *f, const Table *limits)
 {
     static const char *const group[] = {"method", "pair", "dim"};
-    fputs("method,integrator,dim,safe_cfl,first_failure\n", f);
     for (int row = 0; row < limits->nrow; row++) {
-        if (!(table_number(limits, row, "default") > 0)) continue;
+        if (!(select_number(limits, row, "default") > 0)) continue;
         const int s = least_of_group(limits, row, "stable", 3, group);
         if (s < 0) continue;
-        fprintf(f, "%s,%s,%s,%s,", table_text(limits, s, "method"),
-                table_text(limits, s, "integrator"), table_text(limits, s, "dim"),
-                table_text(limits, s, "stable"));
-        if (*table_text(limits, s, "failure"))
-            fprintf(f, "%s at CFL %s (PPC %s A %s)", table_text(limits, s, "failure"),
-                    table_text(limits, s, "fails_at"), table_text(limits, s, "ppc"),
-                    table_text(limits, s, "amplitude"));
+        fprintf(f, "%s,%s,%s,%s,", select_text(limits, s, "method"),
+                select_text(limits, s, "integrator"), select_text(limits, s, "dim"),
+                select_text(limits, s, "stable"));
+        if (*select_text(limits, s, "failure"))
+            fprintf(f, "%s at CFL %s (PPC %s A %s)", select_text(limits, s, "failure"),
+                    select_text(limits, s, "fails_at"), select_text(limits, s, "ppc"),
+                    select_text(limits, s, "amplitude"));
         putc('\n', f);
     }
 }
 
-static int write_summary(const Table *limits, const char *dir, const char *name, const char *part,
-                         void (*write)(FILE *f, const Table *limits), Fault *fault)
+static FILE *begin(const Results *r, const char *part, const char *columns)
 {
-    char path[PATH_TEXT];
-    table_part_path(path, dir, name, part);
-    FILE *f = file_begin(path, fault);
-    if (f) write(f, limits);
-    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+    char header[256];
+    snprintf(header, sizeof header, "%s,%s", place_header, columns);
+    return results_write(r, part, header);
 }
 
-int stability_tables(const char *dir, const char *name, Fault *fault)
+void stability_tables(const Results *r)
 {
-    Table *rows = table_read_part(dir, name, NULL, fault);
-    int code = rows ? 0 : FAULT_MACHINE;
-    if (!code)
-        code = write_ladders(rows, dir, name, "map", write_map,
-                             "ppc,amplitude,cfl,column,row,grade,status", fault);
-    if (!code)
-        code = write_ladders(rows, dir, name, "limits", write_limits,
-                             "ppc,amplitude,stable,fails_at,failure,reason,kept,lost_at,loss,"
-                             "loss_reason",
-                             fault);
-    table_free(rows);
-    Table *limits = code ? NULL : table_read_part(dir, name, "limits", fault);
-    code = limits ? 0 : FAULT_MACHINE;
-    if (!code) code = write_summary(limits, dir, name, "worst", write_worst, fault);
-    if (!code) code = write_summary(limits, dir, name, "safe", write_safe, fault);
-    table_free(limits);
-    return code;
+    Ladder *ladders;
+    const int n = ladder_read_all(r->rows, &ladders);
+    FILE *map = begin(r, "map", "ppc,amplitude,cfl,column,row,grade,status");
+    FILE *limits = begin(r, "limits",
+                         "ppc,amplitude,stable,fails_at,failure,reason,kept,lost_at,loss,"
+                         "loss_reason");
+    for (int k = 0; k < n; k++) {
+        write_map(map, r->rows, &ladders[k]);
+        write_limits(limits, r->rows, &ladders[k]);
+    }
+    free(ladders);
+    const Table *t = results_part(r, "limits");
+    write_worst(begin(r, "worst", "amplitude,place,stable,kept"), t);
+    write_safe(results_write(r, "safe", "method,integrator,dim,safe_cfl,first_failure"), t);
 }

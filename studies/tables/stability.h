@@ -32,7 +32,7 @@ const Map *stability_of_row(const Table *rows, int row);
 /* Does the map show this method with pairs[k]? */
 bool stability_has_pair(const Map *map, const char *method, int k);
 
-/* Writes the four tables from dir/NAME.csv. 0 or a fault. */
-int stability_tables(const char *dir, const char *name, Fault *fault);
+/* Writes the four tables. */
+void stability_tables(const Results *results);
 
 #endif

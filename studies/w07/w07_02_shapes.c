@@ -7,31 +7,19 @@
 #include <math.h>
 #include "studies/tables/curves.h"
 
-static const char name[] = "w07_02_shapes";
 static const char *const methods[] = {"mpm", "gimp"};
 enum { PARTS = 256, REACH = 3 * PARTS / 2, SAMPLES = 2 * REACH + 1 }; /* of h */
 static const double half_width = 0.25;                                /* [h] */
 
-static void write_shapes(FILE *f)
+static void tables(const Results *r)
 {
-    fputs("method,r,S,G\n", f);
+    FILE *f = results_write(r, "", "method,r,S,G");
     for (int m = 0; m < 2; m++)
         for (int k = -REACH; k <= REACH; k++) {
-            double S = NAN, G = NAN, r = k / (double)PARTS;
-            engine_1d.weight(methods[m], r, half_width, &S, &G);
-            fprintf(f, "%s,%.17g,%.17g,%.17g\n", methods[m], r, S, G);
+            double S = NAN, G = NAN, x = k / (double)PARTS;
+            engine_1d.weight(methods[m], x, half_width, &S, &G);
+            fprintf(f, "%s,%.17g,%.17g,%.17g\n", methods[m], x, S, G);
         }
-}
-
-static int tables(const char *dir, bool quick, Fault *fault)
-{
-    char path[PATH_TEXT];
-    (void)quick;
-    table_part_path(path, dir, name, NULL);
-    FILE *f = file_begin(path, fault);
-    if (!f) return FAULT_MACHINE;
-    write_shapes(f);
-    return file_commit(f, path, fault);
 }
 
 /* Largest |sum over three nodes - 1| for particles within half a cell of the middle one. */
@@ -39,33 +27,32 @@ static Measure unity(const Curve *S)
 {
     double worst = 0;
     for (int k = PARTS; k + PARTS < S->n; k++)
-        worst = worse(worst, fabs(S->y[k - PARTS] + S->y[k] + S->y[k + PARTS] - 1));
-    return with_value(curve_max(S, SAMPLES), worst);
+        worst = measure_worse(worst, fabs(S->y[k - PARTS] + S->y[k] + S->y[k + PARTS] - 1));
+    return measure_with(curve_max(S, SAMPLES), worst);
 }
 
 /* Largest change between samples h/256 apart. */
 static Measure jump(const Curve *G)
 {
     double worst = 0;
-    for (int k = 1; k < G->n; k++) worst = worse(worst, fabs(G->y[k] - G->y[k - 1]));
-    return with_value(curve_max(G, SAMPLES), worst);
+    for (int k = 1; k < G->n; k++) worst = measure_worse(worst, fabs(G->y[k] - G->y[k - 1]));
+    return measure_with(curve_max(G, SAMPLES), worst);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
     static const char *const ids[] = {"W07-2.mpm-unity", "W07-2.gimp-unity"};
     static const char *const says[] = {"MPM's functions add up to 1: largest departure",
                                        "GIMP's functions add up to 1: largest departure"};
     Curve curve;
-    (void)dir;
     for (int m = 0; m < 2; m++) {
-        curve_pick(&curve, rows, "r", "S", "method=%s", methods[m]);
+        curve_pick(&curve, r->rows, "r", "S", "method=%s", methods[m]);
         claim(c, ids[m], says[m], unity(&curve), 0, 1e-15);
     }
-    curve_pick(&curve, rows, "r", "G", "method=%s", methods[0]);
+    curve_pick(&curve, r->rows, "r", "G", "method=%s", methods[0]);
     claim(c, "W07-2.mpm-jump", "the tent's gradient jumps by 2/h at its node", jump(&curve), 1.999,
           2.001);
-    curve_pick(&curve, rows, "r", "G", "method=%s", methods[1]);
+    curve_pick(&curve, r->rows, "r", "G", "method=%s", methods[1]);
     claim(c, "W07-2.gimp-smooth",
           "GIMP is C1: between samples h/256 apart its gradient changes by no more than "
           "(h/256)/(l h)",
@@ -73,7 +60,7 @@ static void check(Check *c, const Table *rows, const char *dir)
 }
 
 const Study study_w07_02_shapes = {
-    .name = name,
+    .name = "w07_02_shapes",
     .figure = "W07-2",
     .about = "trial functions of MPM and GIMP (half width h/4) and their gradients",
     .tables = tables,

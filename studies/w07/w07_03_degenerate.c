@@ -14,12 +14,12 @@ static const char *const arrangements[ARRANGEMENTS] = {"centred", "shifted", "un
 static void cases(Cases *list, bool quick)
 {
     static const char *const kinds[METHODS] = {"nodes", "particles", "nodes", "nodes"};
-    char file[64];
+    char part[64];
     (void)quick;
     for (int a = 0; a < ARRANGEMENTS; a++)
         for (int m = 0; m < METHODS; m++) {
-            snprintf(file, sizeof file, "w07_03_degenerate.%s.%s.csv", arrangements[a], methods[m]);
-            case_add_with(list, kinds[m], file,
+            snprintf(part, sizeof part, "%s.%s", arrangements[a], methods[m]);
+            case_add_with(list, kinds[m], part,
                           "run squeeze --method %s --cells %d --set arrangement=%s", methods[m],
                           CELLS, arrangements[a]);
         }
@@ -27,39 +27,39 @@ static void cases(Cases *list, bool quick)
 
 static Measure error(const Table *rows, int method, int arrangement)
 {
-    return select_value(rows, "error_linf", "method=%s params=arrangement=%s;field=linear",
-                        methods[method], arrangements[arrangement]);
+    return select_value(rows, "error_linf", "method=%s arrangement=%s", methods[method],
+                        arrangements[arrangement]);
 }
 
 /* Worst of the two enhanced methods in all four arrangements. */
 static Measure worst_enhanced(const Table *rows)
 {
-    Measure worst = largest_of(2 * ARRANGEMENTS);
+    Measure worst = measure_max_of(2 * ARRANGEMENTS);
     for (int a = 0; a < ARRANGEMENTS; a++)
-        for (int m = 2; m < METHODS; m++) add_largest(&worst, error(rows, m, a).value);
+        for (int m = 2; m < METHODS; m++) measure_add_max(&worst, error(rows, m, a).value);
     return worst;
 }
 
 /* Least of a method in the three arrangements that are not centred. */
 static Measure least_of_others(const Table *rows, int method)
 {
-    Measure out = least_of(ARRANGEMENTS - 1);
-    for (int a = 1; a < ARRANGEMENTS; a++) add_least(&out, error(rows, method, a).value);
+    Measure out = measure_min_of(ARRANGEMENTS - 1);
+    for (int a = 1; a < ARRANGEMENTS; a++) measure_add_min(&out, error(rows, method, a).value);
     return out;
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    (void)dir;
-    for (int a = 0; a < ARRANGEMENTS; a++) claim_note(c, arrangements[a], error(rows, 0, a).value);
+    for (int a = 0; a < ARRANGEMENTS; a++)
+        claim_note(c, arrangements[a], error(r->rows, 0, a).value);
     claim(c, "W07-3.centred", "MPM's error is zero for perfectly centred particles",
-          error(rows, 0, 0), 0, 1e-14);
+          error(r->rows, 0, 0), 0, 1e-14);
     claim(c, "W07-3.mpm-others", "and is not zero in the other three: the least of them",
-          least_of_others(rows, 0), 0.001, 1);
+          least_of_others(r->rows, 0), 0.001, 1);
     claim(c, "W07-3.gimp-others", "errors are not zero for GIMP either: the least of three",
-          least_of_others(rows, 1), 0.001, 1);
+          least_of_others(r->rows, 1), 0.001, 1);
     claim(c, "W07-3.ge-zero", "with gradient enhancement it is zero in all four, tents and GIMP",
-          worst_enhanced(rows), 0, 1e-13);
+          worst_enhanced(r->rows), 0, 1e-13);
 }
 
 const Study study_w07_03_degenerate = {

@@ -5,6 +5,7 @@
  * number of particles (or a half one) meets every cell, and wrong in between; the worst between two
  * such points falls with the particles per cell as PPC^-2 (MPM) and PPC^-3 (GIMP). */
 #include <math.h>
+#include "squeeze.h"
 #include "studies/tables/curves.h"
 
 static const char *const methods[] = {"mpm", "gimp"};
@@ -12,11 +13,7 @@ enum { CELLS = 100, FEWEST = 50, MOST = 1000, POINTS = MOST - FEWEST + 1 };
 
 static void cases(Cases *list, bool quick)
 {
-    for (int m = 0; m < 2; m++)
-        for (int n = FEWEST; n <= MOST; n += quick ? 25 : 1)
-            case_add(list,
-                     "run squeeze --method %s --cells %d --set field=linear --set particles=%d",
-                     methods[m], CELLS, n);
+    for (int m = 0; m < 2; m++) squeeze_add(list, methods[m], "linear", CELLS, 1, quick);
 }
 
 /* Exponent of the local maxima over PPC 2..10: one maximum in each interval of this width. */
@@ -28,30 +25,29 @@ static Measure exponent(const Curve *c, double width)
         const int i = (int)floor((c->x[k] - 2) / width);
         if (c->x[k] < 2 || i >= intervals || c->y[k] <= worst[i]) continue;
         if (!isnan(worst[i])) at[i] = c->x[k];
-        worst[i] = worse(worst[i], c->y[k]);
+        worst[i] = measure_worse(worst[i], c->y[k]);
     }
-    return with_value(curve_max(c, POINTS), order_of_all(intervals, at, worst));
+    return measure_with(curve_max(c, POINTS), curve_slope(intervals, at, worst));
 }
 
 /* The largest error at the 20 whole and half PPC. */
 static Measure worst_zero(const Curve *c)
 {
-    Measure worst = largest_of(20);
+    Measure worst = measure_max_of(20);
     for (int k = 0; k < c->n; k++)
-        if (fabs(2 * c->x[k] - round(2 * c->x[k])) <= 1e-9) add_largest(&worst, c->y[k]);
+        if (fabs(2 * c->x[k] - round(2 * c->x[k])) <= 1e-9) measure_add_max(&worst, c->y[k]);
     return worst;
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
     Curve curve;
-    (void)dir;
-    curve_pick(&curve, rows, "ppc", "error_linf", "method=mpm");
+    curve_pick(&curve, r->rows, "ppc", "error_linf", "method=mpm");
     claim(c, "W07-5.mpm-exponent", "MPM's worst errors fall as PPC^-2", exponent(&curve, .5), -2.1,
           -1.9);
     claim(c, "W07-5.mpm-zeros", "MPM is exact at whole and half particles per cell",
           worst_zero(&curve), 0, 1e-13);
-    curve_pick(&curve, rows, "ppc", "error_linf", "method=gimp");
+    curve_pick(&curve, r->rows, "ppc", "error_linf", "method=gimp");
     claim(c, "W07-5.gimp-exponent", "GIMP's worst errors fall as PPC^-3", exponent(&curve, 1), -3.1,
           -2.9);
     claim(c, "W07-5.gimp-zeros", "GIMP is exact at whole and half particles per cell",

@@ -5,30 +5,30 @@
  * the projection's error is h^2/12 v'' = h^2/6 (Vshivkov's second term, eq. 2.2), relative to v at
  * the first interior node h^2/6/(1 + h)^2; at a whole number k per cell it is 1 + 1/(2 k^2) times
  * that. */
+#include "squeeze.h"
 #include "studies/tables/curves.h"
 
 static void cases(Cases *list, bool quick)
 {
-    plateau_add(list, (const char *const[]){"mpm", "gimp", NULL}, quick);
+    squeeze_add_quadratic(list, "mpm gimp", quick);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    const double plateau = plateau_error(), at_10 = 1 + 0.5 / 100;
+    const double plateau = squeeze_plateau(), at_10 = 1 + 0.5 / 100;
     Curve mpm, gimp;
-    (void)dir;
     claim_note(c, "plateau", plateau);
-    curve_pick(&mpm, rows, "ppc", "error_linf", "method=mpm");
-    curve_pick(&gimp, rows, "ppc", "error_linf", "method=gimp");
+    curve_pick(&mpm, r->rows, "ppc", "error_linf", "method=mpm");
+    curve_pick(&gimp, r->rows, "ppc", "error_linf", "method=gimp");
     claim(c, "W07-6.mpm-plateau", "MPM at 10 particles per cell, over h^2/6/(1+h)^2 (1 + 1/200)",
-          times(curve_at(&mpm, 10), 1 / (plateau * at_10)), 0.999, 1.001);
+          measure_times(curve_at(&mpm, 10), 1 / (plateau * at_10)), 0.999, 1.001);
     claim(c, "W07-6.gimp-plateau", "GIMP does not lower the plateau: the same for GIMP",
-          times(curve_at(&gimp, 10), 1 / (plateau * at_10)), 0.999, 1.001);
+          measure_times(curve_at(&gimp, 10), 1 / (plateau * at_10)), 0.999, 1.001);
     claim(c, "W07-6.gimp-settles",
           "GIMP stays within twice the plateau from this many particles per cell on",
-          curve_settles(&gimp, 2 * plateau, PLATEAU_POINTS), 2.55, 2.95);
+          curve_settles(&gimp, 2 * plateau, SQUEEZE_POINTS), 2.55, 2.95);
     claim(c, "W07-6.mpm-settles", "MPM needs far more",
-          curve_settles(&mpm, 2 * plateau, PLATEAU_POINTS), 9.7, 10);
+          curve_settles(&mpm, 2 * plateau, SQUEEZE_POINTS), 9.7, 10);
     claim(c, "W07-6.gimp-spot", "GIMP's error with 137 particles, an agreed value to six digits",
           curve_at(&gimp, 1.37), 2.173422e-4 - 5e-11, 2.173422e-4 + 5e-11);
 }

@@ -5,22 +5,21 @@
  * The table's errors are those of interior nodes. Nodes on the boundary, where the plain projection
  * is wrong by about h/3 whatever the particles, are looked at for a few numbers of particles. */
 #include <math.h>
-#include "studies/tables/files.h"
+#include "squeeze.h"
+#include "studies/tables/curves.h"
 
-static const char name[] = "w07_08_squeeze_linear_ge";
 enum { CELLS = 100, METHODS = 2, SAMPLES = 4, POINTS = 951 };
 static const char *const methods[METHODS] = {"ge_mpm", "ge_gimp"};
 static const int samples[SAMPLES] = {137, 250, 333, 777};
 
 static void cases(Cases *list, bool quick)
 {
-    char file[64];
+    char part[64];
     for (int m = 0; m < METHODS; m++) {
         squeeze_add(list, methods[m], "linear", CELLS, 1, quick);
         for (int k = 0; k < SAMPLES; k++) {
-            snprintf(file, sizeof file, "w07_08_squeeze_linear_ge.%s.%d.csv", methods[m],
-                     samples[k]);
-            case_add_with(list, "nodes", file,
+            snprintf(part, sizeof part, "%s.%d", methods[m], samples[k]);
+            case_add_with(list, "nodes", part,
                           "run squeeze --method %s --cells %d --set particles=%d", methods[m],
                           CELLS, samples[k]);
         }
@@ -28,39 +27,36 @@ static void cases(Cases *list, bool quick)
 }
 
 /* Largest |v_i/(1 + x_i) - 1| over all nodes of a run, those on the boundary included. */
-static void add_nodes(Measure *worst, const Files *files, const char *method, int particles)
+static void add_nodes(Measure *worst, const Results *r, const char *method, int particles)
 {
     char part[64];
     snprintf(part, sizeof part, "%s.%d", method, particles);
-    Table *nodes = file_read(files, part);
+    Table *nodes = results_file(r, part);
     for (int i = 0; nodes && i < nodes->nrow; i++)
-        add_largest(worst,
-                    fabs(table_number(nodes, i, "vx") / (1 + table_number(nodes, i, "x")) - 1));
+        measure_add_max(
+            worst, fabs(select_number(nodes, i, "vx") / (1 + select_number(nodes, i, "x")) - 1));
     table_free(nodes);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
     static const char *const ids[METHODS] = {"W07-8.ge-mpm", "W07-8.ge-gimp"};
     static const char *const says[METHODS] = {
         "tents with the gradient: largest error over 50 to 1000 particles",
         "GIMP with the gradient: largest error over 50 to 1000 particles"};
-    Measure worst = largest_of(METHODS * SAMPLES * (CELLS + 1));
-    Files files;
+    Measure worst = measure_max_of(METHODS * SAMPLES * (CELLS + 1));
     Curve curve;
-    files_open(&files, dir, name);
     for (int m = 0; m < METHODS; m++) {
-        curve_pick(&curve, rows, "ppc", "error_linf", "method=%s", methods[m]);
+        curve_pick(&curve, r->rows, "ppc", "error_linf", "method=%s", methods[m]);
         claim(c, ids[m], says[m], curve_max(&curve, POINTS + SAMPLES), 0, 1e-13);
-        for (int k = 0; k < SAMPLES; k++) add_nodes(&worst, &files, methods[m], samples[k]);
+        for (int k = 0; k < SAMPLES; k++) add_nodes(&worst, r, methods[m], samples[k]);
     }
-    files_close(&files);
     claim(c, "W07-8.boundary", "boundary nodes are exact, too: 137, 250, 333, 777 particles", worst,
           0, 1e-13);
 }
 
 const Study study_w07_08_squeeze_linear_ge = {
-    .name = name,
+    .name = "w07_08_squeeze_linear_ge",
     .figure = "W07-8",
     .about = "squeeze, linear field: with gradient enhancement any particles report it exactly",
     .cases = cases,

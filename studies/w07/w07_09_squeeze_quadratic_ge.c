@@ -1,29 +1,29 @@
 /* w07_09_squeeze_quadratic_ge.c: the squeeze of fig. 6 with and without gradient enhancement: with
  * it the plateau is reached below one particle per cell. Wallstedt and Guilkey (2007), fig. 9. */
+#include "squeeze.h"
 #include "studies/tables/curves.h"
 
 static void cases(Cases *list, bool quick)
 {
-    plateau_add(list, (const char *const[]){"mpm", "gimp", "ge_mpm", "ge_gimp", NULL}, quick);
+    squeeze_add_quadratic(list, "mpm gimp ge_mpm ge_gimp", quick);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    const double plateau = plateau_error(), at_10 = 1 + 0.5 / 100;
+    const double plateau = squeeze_plateau(), at_10 = 1 + 0.5 / 100;
     Curve ge_mpm, ge_gimp;
-    (void)dir;
     claim_note(c, "plateau", plateau);
-    curve_pick(&ge_mpm, rows, "ppc", "error_linf", "method=ge_mpm");
-    curve_pick(&ge_gimp, rows, "ppc", "error_linf", "method=ge_gimp");
+    curve_pick(&ge_mpm, r->rows, "ppc", "error_linf", "method=ge_mpm");
+    curve_pick(&ge_gimp, r->rows, "ppc", "error_linf", "method=ge_gimp");
     claim(c, "W07-9.ge-gimp-settles",
           "GE-GIMP stays within twice the plateau from this many particles per cell on",
-          curve_settles(&ge_gimp, 2 * plateau, PLATEAU_POINTS), 0.8, 0.9);
+          curve_settles(&ge_gimp, 2 * plateau, SQUEEZE_POINTS), 0.8, 0.9);
     claim(c, "W07-9.ge-mpm-settles", "and so does GE-MPM",
-          curve_settles(&ge_mpm, 2 * plateau, PLATEAU_POINTS), 0.8, 0.9);
+          curve_settles(&ge_mpm, 2 * plateau, SQUEEZE_POINTS), 0.8, 0.9);
     claim(c, "W07-9.ge-mpm-plateau", "the plateau is that of fig. 6: GE-MPM at 10 per cell",
-          times(curve_at(&ge_mpm, 10), 1 / (plateau * at_10)), 0.999, 1.001);
+          measure_times(curve_at(&ge_mpm, 10), 1 / (plateau * at_10)), 0.999, 1.001);
     claim(c, "W07-9.ge-gimp-plateau", "the plateau is that of fig. 6: GE-GIMP at 10 per cell",
-          times(curve_at(&ge_gimp, 10), 1 / (plateau * at_10)), 0.999, 1.001);
+          measure_times(curve_at(&ge_gimp, 10), 1 / (plateau * at_10)), 0.999, 1.001);
     claim(c, "W07-9.ge-gimp-spot",
           "GE-GIMP's error with 137 particles, an agreed value to six digits",
           curve_at(&ge_gimp, 1.37), 2.077904e-5 - 5e-12, 2.077904e-5 + 5e-12);

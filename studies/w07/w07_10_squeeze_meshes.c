@@ -1,6 +1,7 @@
 /* w07_10_squeeze_meshes.c: the plateau of fig. 9 falls with the cell size squared. GE-GIMP,
  * quadratic field, three meshes. Wallstedt and Guilkey (2007), fig. 10. */
 #include <math.h>
+#include "squeeze.h"
 #include "studies/tables/curves.h"
 
 enum { MESHES = 3 };
@@ -13,18 +14,17 @@ static void cases(Cases *list, bool quick)
         squeeze_add(list, "ge_gimp", "quadratic", cells[k], cells[k] / 50, quick);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
     double h[MESHES], error[MESHES];
-    Measure off = largest_of(MESHES);
-    (void)dir;
+    Measure off = measure_max_of(MESHES);
     for (int k = 0; k < MESHES; k++) {
         h[k] = 1.0 / cells[k];
-        error[k] = select_value(rows, "error_linf", "cells=%d ppc=10", cells[k]).value;
-        add_largest(&off, fabs(error[k] / printed[k] - 1));
+        error[k] = select_value(r->rows, "error_linf", "cells=%d ppc=10", cells[k]).value;
+        measure_add_max(&off, fabs(error[k] / printed[k] - 1));
     }
     claim(c, "W07-10.order", "the plateau falls with h^2: order at 10 particles per cell",
-          with_value(off, order_of_all(MESHES, h, error)), 1.97, 1.99);
+          measure_with(off, curve_slope(MESHES, h, error)), 1.97, 1.99);
     claim(c, "W07-10.values", "largest departure from 6.440e-5, 1.642e-5, 4.146e-6", off, 0, 0.001);
 }
 

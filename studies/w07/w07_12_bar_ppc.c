@@ -5,10 +5,8 @@
  * maximum, so it grows with duration. The census counts the runs of N = 41, 49, ... 393 that end
  * before five periods. Orders in h are taken at three awkward numbers of particles per cell. */
 #include <math.h>
-#include <string.h>
 #include "studies/tables/curves.h"
 
-static const char name[] = "w07_12_bar_ppc";
 enum { METHODS = 4, ORDERS = 3, MESHES = 5 };
 enum { FEWEST = 41, MOST = 392, APART = 9, RUNS = 40 /* of each duration */, CENSUS = 45 };
 enum { MPM, GIMP, GE_MPM, GE_GIMP };
@@ -43,51 +41,38 @@ static void cases(Cases *list, bool quick)
                 if (meshes[i] != 40) add(list, m, meshes[i], scaled(counts[k], meshes[i]), 1);
 }
 
-/* Is this row one of the method's runs on 40 cells that were to last for so many periods? */
-static bool is_asked(const Table *rows, int row, int method, double periods)
+/* The next of the method's runs on 40 cells that were to last for so many periods; -1: none. */
+static int next_run(const Table *rows, int row, int method, double periods)
 {
-    return strcmp(table_text(rows, row, "method"), methods[method]) == 0 &&
-           table_number(rows, row, "cells") == 40 &&
-           fabs(table_number(rows, row, "t_end") - periods * period) < 1e-9;
+    while ((row = select_next(rows, row, "method=%s cells=40", methods[method])) >= 0)
+        if (fabs(select_number(rows, row, "t_end") - periods * period) < 1e-9) return row;
+    return -1;
 }
 
 /* Of the runs that were to last for so many periods: how many ended before `until` of them, or,
  * with a limit on the error, ended or got worse than that. */
 static Measure lost_by(const Table *rows, int method, double periods, double until, double limit)
 {
-    Measure lost = sum_of(fabs(periods - 5) < 0.1 ? CENSUS : RUNS);
-    for (int row = 0; row < rows->nrow; row++) {
-        if (!is_asked(rows, row, method, periods)) continue;
+    Measure lost = measure_sum_of(fabs(periods - 5) < 0.1 ? CENSUS : RUNS);
+    for (int row = -1; (row = next_run(rows, row, method, periods)) >= 0;) {
         const double end =
-            table_number(rows, row, "steps") * table_number(rows, row, "dt") / period;
+            select_number(rows, row, "steps") * select_number(rows, row, "dt") / period;
         const bool early = select_is_lost(rows, row) && (until >= periods || !(end >= until));
-        const double error = isinf(limit) || early ? 0 : table_number(rows, row, "error_linf");
-        add_sum(&lost, isnan(error) ? NAN : early || error > limit);
+        const double error = isinf(limit) || early ? 0 : select_number(rows, row, "error_linf");
+        measure_add(&lost, isnan(error) ? NAN : early || error > limit);
     }
     return lost;
 }
 
 /* Share of the census lost by each time, for the figure. */
-static void write_census(FILE *f, const Table *rows)
+static void tables(const Results *r)
 {
-    fputs("method,periods,lost,runs\n", f);
+    FILE *f = results_write(r, "census", "method,periods,lost,runs");
     for (int m = 0; m < METHODS; m++)
         for (int k = 0; k <= 100; k++) {
-            const Measure lost = lost_by(rows, m, 5, 0.05 * k, INFINITY);
+            const Measure lost = lost_by(r->rows, m, 5, 0.05 * k, INFINITY);
             fprintf(f, "%s,%.17g,%g,%d\n", methods[m], 0.05 * k, lost.value, lost.rows);
         }
-}
-
-static int tables(const char *dir, bool quick, Fault *fault)
-{
-    char path[PATH_TEXT];
-    (void)quick;
-    table_part_path(path, dir, name, "census");
-    Table *rows = table_read_part(dir, name, NULL, fault);
-    FILE *f = rows ? file_begin(path, fault) : NULL;
-    if (f) write_census(f, rows);
-    table_free(rows);
-    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
 /* Is this an awkward number of particles per cell, from low to high? */
@@ -101,20 +86,19 @@ static bool is_awkward(double ppc, double low, double high)
 static Measure typical(const Table *rows, int method, double periods, double low, double high)
 {
     double errors[RUNS];
-    Measure out = sum_of(0);
+    Measure out = measure_sum_of(0);
     int n = 0;
     for (int count = FEWEST; count <= MOST; count += APART)
         out.needs += is_awkward(count / 40.0, low, high);
-    for (int row = 0; row < rows->nrow && n < RUNS; row++) {
-        if (!is_asked(rows, row, method, periods)) continue;
-        if (!is_awkward(table_number(rows, row, "ppc"), low, high)) continue;
-        double e = kept_number(rows, row, "error_linf");
+    for (int row = -1; n < RUNS && (row = next_run(rows, row, method, periods)) >= 0;) {
+        if (!is_awkward(select_number(rows, row, "ppc"), low, high)) continue;
+        double e = select_kept(rows, row, "error_linf");
         if (method == MPM && select_is_lost(rows, row)) e = INFINITY;
         out.rows += !isnan(e);
         errors[n++] = e;
     }
     const bool whole = out.rows == n;
-    out.value = whole ? select_median(n, errors) : NAN;
+    out.value = whole ? measure_median(n, errors) : NAN;
     return out;
 }
 
@@ -122,18 +106,18 @@ static Measure typical(const Table *rows, int method, double periods, double low
 static Measure order(const Table *rows, int method, const char *error)
 {
     double sum = 0, h[MESHES], e[MESHES];
-    Measure all = sum_of(ORDERS * MESHES);
+    Measure all = measure_sum_of(ORDERS * MESHES);
     for (int k = 0; k < ORDERS; k++) {
         for (int i = 0; i < MESHES; i++) {
             h[i] = 1.0 / meshes[i];
             e[i] = select_value(rows, error, "method=%s cells=%d particles=%d t_end=%.17g",
                                 methods[method], meshes[i], scaled(counts[k], meshes[i]), period)
                        .value;
-            add_sum(&all, e[i]);
+            measure_add(&all, e[i]);
         }
-        sum += order_of_all(MESHES, h, e) / (double)ORDERS;
+        sum += curve_slope(MESHES, h, e) / (double)ORDERS;
     }
-    return with_value(all, sum);
+    return measure_with(all, sum);
 }
 
 static void check_losses(Check *c, const Table *rows)
@@ -148,19 +132,20 @@ static void check_losses(Check *c, const Table *rows)
           lost_by(rows, GE_GIMP, 5, 5, INFINITY), 0, 0);
     claim(c, "W07-12.ge-mpm-unstable",
           "GE-MPM is pathologically unstable: share lost, or wrong by 0.2, by two periods",
-          times(lost_by(rows, GE_MPM, 2, 2, 0.2), 1 / (double)RUNS), 0.8, 1);
+          measure_times(lost_by(rows, GE_MPM, 2, 2, 0.2), 1 / (double)RUNS), 0.8, 1);
 }
 
 static void check_forty_percent(Check *c, const Table *rows)
 {
     Measure ratios[4];
     for (int d = 0; d < 4; d++)
-        ratios[d] = over(typical(rows, GE_GIMP, durations[d], 2, 10),
-                         typical(rows, GIMP, durations[d], 2, 10));
+        ratios[d] = measure_ratio(typical(rows, GE_GIMP, durations[d], 2, 10),
+                                  typical(rows, GIMP, durations[d], 2, 10));
     const Measure at_one = ratios[2];
     claim(c, "W07-12.ratio", "median of GE-GIMP over that of GIMP, one period", at_one, 0.69, 0.77);
     claim(c, "W07-12.ratio-least", "least of these ratios after 1/4, 1/2, 1, 2 periods: never .65",
-          least(least(ratios[0], ratios[1]), least(at_one, ratios[3])), 0.65, 0.82);
+          measure_min(measure_min(ratios[0], ratios[1]), measure_min(at_one, ratios[3])), 0.65,
+          0.82);
     claim_differs(c, "W07-12.forty-percent",
                   "gradient enhancement lowers GIMP's error by about forty percent: ratio .55-.65",
                   at_one, 0.55, 0.65, 0.70, 0.82,
@@ -180,25 +165,24 @@ static void check_orders(Check *c, const Table *rows)
                   "h^(2/3) t^(1/3), and the largest error with it");
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    (void)dir;
-    claim_note(c, "mpm_median", typical(rows, MPM, 1, 2, 10).value);
+    claim_note(c, "mpm_median", typical(r->rows, MPM, 1, 2, 10).value);
     claim(c, "W07-12.gimp-median", "GIMP's median error after one period, PPC 2 to 10",
-          typical(rows, GIMP, 1, 2, 10), 0.0453, 0.0513);
+          typical(r->rows, GIMP, 1, 2, 10), 0.0453, 0.0513);
     claim(c, "W07-12.ge-gimp-median", "GE-GIMP's median error after one period, PPC 2 to 10",
-          typical(rows, GE_GIMP, 1, 2, 10), 0.0325, 0.0385);
+          typical(r->rows, GE_GIMP, 1, 2, 10), 0.0325, 0.0385);
     claim(
         c, "W07-12.low-ppc",
         "GIMP is far better at few particles per cell: MPM's median error over GIMP's, PPC 1 to 3",
-        over(typical(rows, MPM, 1, 1, 3), typical(rows, GIMP, 1, 1, 3)), 2, 100);
-    check_forty_percent(c, rows);
-    check_losses(c, rows);
-    check_orders(c, rows);
+        measure_ratio(typical(r->rows, MPM, 1, 1, 3), typical(r->rows, GIMP, 1, 1, 3)), 2, 100);
+    check_forty_percent(c, r->rows);
+    check_losses(c, r->rows);
+    check_orders(c, r->rows);
 }
 
 const Study study_w07_12_bar_ppc = {
-    .name = name,
+    .name = "w07_12_bar_ppc",
     .figure = "W07-12",
     .about = "bar: error after one period against particles per cell, and runs lost in five",
     .cases = cases,

@@ -1,9 +1,8 @@
 /* w07_14_plate_positions.c: the vibrating plate at the start and half a period later. Wallstedt and
  * Guilkey (2007), fig. 14. The figure exaggerates displacements. */
 #include <math.h>
-#include "studies/tables/files.h"
+#include "studies/tables/curves.h"
 
-static const char name[] = "w07_14_plate_positions";
 static const double exaggeration = 20;
 enum { PARTICLES = 8 * 8 * 4 };
 
@@ -11,9 +10,9 @@ enum { PARTICLES = 8 * 8 * 4 };
 static void cases(Cases *list, bool quick)
 {
     (void)quick;
-    case_add_with(list, "particles", "w07_14_plate_positions.start.csv",
+    case_add_with(list, "particles", "start",
                   "run plate_vibration --method ge_gimp --cells 8 --t-end 1e-9");
-    case_add_with(list, "particles", "w07_14_plate_positions.half.csv",
+    case_add_with(list, "particles", "half",
                   "run plate_vibration --method ge_gimp --cells 8 --t-end .0360555127546399");
 }
 
@@ -21,34 +20,30 @@ static void cases(Cases *list, bool quick)
  */
 static Measure asymmetry(const Table *start, const Table *half)
 {
-    Measure worst = largest_of(PARTICLES);
+    Measure worst = measure_max_of(PARTICLES);
     for (int p = 0; start && half && p < start->nrow && p < half->nrow; p++) {
-        double dx = table_number(start, p, "x") + table_number(half, p, "x") -
-                    2 * table_number(start, p, "X");
-        double dy = table_number(start, p, "y") + table_number(half, p, "y") -
-                    2 * table_number(start, p, "Y");
-        add_largest(&worst, hypot(dx, dy) / 0.004);
+        double dx = select_number(start, p, "x") + select_number(half, p, "x") -
+                    2 * select_number(start, p, "X");
+        double dy = select_number(start, p, "y") + select_number(half, p, "y") -
+                    2 * select_number(start, p, "Y");
+        measure_add_max(&worst, hypot(dx, dy) / 0.004);
     }
     return worst;
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Files files;
-    (void)rows;
-    files_open(&files, dir, name);
-    Table *start = file_read(&files, "start"), *half = file_read(&files, "half");
+    Table *start = results_file(r, "start"), *half = results_file(r, "half");
     claim_note(c, "exaggeration", exaggeration);
     claim(c, "W07-14.mirrored",
           "half a period later displacements have changed sign: largest departure over A (h = 1/8)",
           asymmetry(start, half), 0, 0.1);
     table_free(start);
     table_free(half);
-    files_close(&files);
 }
 
 const Study study_w07_14_plate_positions = {
-    .name = name,
+    .name = "w07_14_plate_positions",
     .figure = "W07-14",
     .about = "plate vibration: particles at the start and half a period later",
     .cases = cases,

@@ -2,35 +2,30 @@
  * particles, full and cut cells of WLS. Wallstedt and Guilkey (2011), fig. 1. */
 #include <math.h>
 #include <stdlib.h>
-#include "studies/tables/files.h"
+#include "studies/tables/curves.h"
 
-static const char name[] = "w11_01_volumes";
 enum { CELLS = 8, FINE = 2000 /* samples a metre */, CORNERS = 200, BOXES = 100 };
 static const double late_inner = 0.375, late_outer = 0.9; /* of the exact solution at 10 ms */
 
 static void cases(Cases *list, bool quick)
 {
     (void)quick;
-    case_add_with(list, "patches", "w11_01_volumes.fem.csv",
-                  "run ring --method fem --cells %d --t-end .01", CELLS);
-    case_add_with(list, "particles", "w11_01_volumes.gimp.csv",
-                  "run ring --method gimp --cells %d --t-end .01", CELLS);
-    case_add_with(list, "patches", "w11_01_volumes.wls2.csv",
-                  "run ring --method wls2 --cells %d --t-end .01", CELLS);
-    case_add_with(list, "patches", "w11_01_volumes.at_16.csv",
-                  "run ring --method wls2 --cells 16 --set steps=1");
-    case_add_with(list, "patches", "w11_01_volumes.at_32.csv",
-                  "run ring --method wls2 --cells 32 --set steps=1");
+    case_add_with(list, "patches", "fem", "run ring --method fem --cells %d --t-end .01", CELLS);
+    case_add_with(list, "particles", "gimp", "run ring --method gimp --cells %d --t-end .01",
+                  CELLS);
+    case_add_with(list, "patches", "wls2", "run ring --method wls2 --cells %d --t-end .01", CELLS);
+    case_add_with(list, "patches", "at_16", "run ring --method wls2 --cells 16 --set steps=1");
+    case_add_with(list, "patches", "at_32", "run ring --method wls2 --cells 32 --set steps=1");
 }
 
 /* Sum of the areas of all polygons in a file of patches, over the area there should be. */
-static Measure area_of(const Files *files, const char *part, double right)
+static Measure area_of(const Results *r, const char *part, double right)
 {
-    char path[PATH_TEXT], line[256];
+    char *path = results_path(r, part), line[256];
     double twice = 0, first[2] = {0, 0}, last[2] = {0, 0};
     int corners = 0;
-    table_part_path(path, files->dir, name, part);
-    FILE *f = file_kept(files, part) ? fopen(path, "r") : NULL;
+    FILE *f = path ? fopen(path, "r") : NULL;
+    free(path);
     if (!f) return measure(NAN, 0, CORNERS);
     while (fgets(line, sizeof line, f)) {
         int cell, k;
@@ -53,8 +48,8 @@ static void lay_boxes(const Table *t, unsigned char *times)
 {
     const double fine = FINE, l = 0.25 / (double)CELLS;
     for (int row = 0; row < t->nrow; row++) {
-        const double x = table_number(t, row, "x"), y = table_number(t, row, "y");
-        const double a = l * table_number(t, row, "Fxx"), b = l * table_number(t, row, "Fyy");
+        const double x = select_number(t, row, "x"), y = select_number(t, row, "y");
+        const double a = l * select_number(t, row, "Fxx"), b = l * select_number(t, row, "Fyy");
         const int i0 = (int)fmax(0, ceil((x - a) * fine - 0.5));
         const int j0 = (int)fmax(0, ceil((y - b) * fine - 0.5));
         for (int j = j0; j < FINE && j + 0.5 < (y + b) * fine; j++)
@@ -78,9 +73,9 @@ static void count_boxes(const unsigned char *times, double *gaps, double *overla
     *overlaps = (double)twice / (double)in;
 }
 
-static int measure_boxes(const Files *files, double *gaps, double *overlaps)
+static int measure_boxes(const Results *r, double *gaps, double *overlaps)
 {
-    Table *t = file_read(files, "gimp");
+    Table *t = results_file(r, "gimp");
     unsigned char *times = calloc((size_t)FINE * FINE, 1);
     *gaps = *overlaps = NAN;
     if (t && times) {
@@ -93,21 +88,18 @@ static int measure_boxes(const Files *files, double *gaps, double *overlaps)
     return boxes;
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
     static const double ring = M_PI / 4 * (1.1 * 1.1 - 0.625 * 0.625); /* at the start */
     const double late = M_PI / 4 * (late_outer * late_outer - late_inner * late_inner);
     double gaps, overlaps;
-    Files files;
-    (void)rows;
-    files_open(&files, dir, name);
-    const Measure at_16 = area_of(&files, "at_16", ring), at_32 = area_of(&files, "at_32", ring);
+    const Measure at_16 = area_of(r, "at_16", ring), at_32 = area_of(r, "at_32", ring);
     claim(c, "W11-1.wls-16",
           "WLS's cells against the ring's area, N = 16, at the start: relative error",
-          with_value(at_16, fabs(at_16.value - 1)), 0, 3e-5);
-    claim(c, "W11-1.wls-32", "the same at N = 32", with_value(at_32, fabs(at_32.value - 1)), 0,
+          measure_with(at_16, fabs(at_16.value - 1)), 0, 3e-5);
+    claim(c, "W11-1.wls-32", "the same at N = 32", measure_with(at_32, fabs(at_32.value - 1)), 0,
           3e-5);
-    const int boxes = measure_boxes(&files, &gaps, &overlaps);
+    const int boxes = measure_boxes(r, &gaps, &overlaps);
     claim(c, "W11-1.gimp-gaps", "GIMP's boxes leave gaps: part of the ring at 10 ms, N = 8",
           measure(gaps, boxes, BOXES), 0.01, 0.04);
     claim(c, "W11-1.gimp-overlaps", "and overlap: part of the ring covered more than once",
@@ -115,13 +107,12 @@ static void check(Check *c, const Table *rows, const char *dir)
     claim_note(c, "cells", CELLS);
     claim_note(c, "gaps", gaps);
     claim_note(c, "overlaps", overlaps);
-    claim_note(c, "error_fem", area_of(&files, "fem", late).value - 1);
-    claim_note(c, "error_wls2", area_of(&files, "wls2", late).value - 1);
-    files_close(&files);
+    claim_note(c, "error_fem", area_of(r, "fem", late).value - 1);
+    claim_note(c, "error_wls2", area_of(r, "wls2", late).value - 1);
 }
 
 const Study study_w11_01_volumes = {
-    .name = name,
+    .name = "w11_01_volumes",
     .figure = "W11-1",
     .about = "how volume is divided: triangles, GIMP's particles, WLS's cut cells",
     .cases = cases,

@@ -5,7 +5,6 @@
 #include "common/base/polygon.h"
 #include "studies/tables/curves.h"
 
-static const char name[] = "w11_02_squares";
 enum { SHAPES = 6, MASKS = 16 };
 
 /* Distances at corners (0,0), (1,0), (0,1), (1,1). */
@@ -14,9 +13,9 @@ static const double shapes[SHAPES][4] = {
     {0.8, 0.6, 0.9, 0.7},    {0.7, -0.4, -0.5, 0.6}, {0.5, -0.6, -0.7, 0.4},
 };
 
-static void write_shapes(FILE *f)
+static void tables(const Results *r)
 {
-    fputs("shape,piece,k,x,y,d00,d10,d01,d11\n", f);
+    FILE *f = results_write(r, "", "shape,piece,k,x,y,d00,d10,d01,d11");
     for (int s = 0; s < SHAPES; s++) {
         Polygon piece[MAX_PIECES];
         const double *d = shapes[s];
@@ -28,17 +27,6 @@ static void write_shapes(FILE *f)
                         d[2], d[3]);
             }
     }
-}
-
-static int tables(const char *dir, bool quick, Fault *fault)
-{
-    char path[PATH_TEXT];
-    (void)quick;
-    table_part_path(path, dir, name, NULL);
-    FILE *f = file_begin(path, fault);
-    if (!f) return FAULT_MACHINE;
-    write_shapes(f);
-    return file_commit(f, path, fault);
 }
 
 /* Area and first moments of the triangle that a corner's own cuts leave: legs a and b along the
@@ -96,7 +84,7 @@ static double departure(const double d[4])
         own[1] += area * centre[0];
         own[2] += area * centre[1];
     }
-    for (int m = 0; m < 3; m++) worst = worse(worst, fabs(own[m] - sum[m]));
+    for (int m = 0; m < 3; m++) worst = measure_worse(worst, fabs(own[m] - sum[m]));
     return worst;
 }
 
@@ -114,26 +102,25 @@ static double worst_departure(int *masks)
                 const double size = 0.01 + (double)state / 2147483648;
                 d[corner] = *masks >> corner & 1 ? size : -size;
             }
-            worst = worse(worst, departure(d));
+            worst = measure_worse(worst, departure(d));
         }
     return worst;
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
     int masks;
-    (void)rows;
-    (void)dir;
+    (void)r;
     const double worst = worst_departure(&masks);
     claim(c, "W11-2.masks",
           "all 16 masks, a thousand distances each: area and first moments of the shape against "
           "formulas by hand, largest departure",
-          closed_form(worst), 0, 1e-12);
+          measure_formula(worst), 0, 1e-12);
     claim_note(c, "masks", masks);
 }
 
 const Study study_w11_02_squares = {
-    .name = name,
+    .name = "w11_02_squares",
     .figure = "W11-2",
     .about = "the shapes of a cut cell: triangle, quadrilateral, pentagon, square, saddle",
     .tables = tables,

@@ -3,9 +3,8 @@
  * and 1.1. Wallstedt and Guilkey (2011), fig. 3. */
 #include <math.h>
 #include <stdlib.h>
-#include "studies/tables/files.h"
+#include "studies/tables/curves.h"
 
-static const char name[] = "w11_03_spurious";
 enum {
     CELLS = 16,
     SIDE = CELLS + 5,
@@ -16,7 +15,7 @@ static const double trigger = 0.12;
 static void cases(Cases *list, bool quick)
 {
     (void)quick;
-    case_add_with(list, "particles", "w11_03_spurious.particles.csv",
+    case_add_with(list, "particles", "particles",
                   "run ring --method wls --cells %d --set trigger=%g --set steps=1", CELLS,
                   trigger);
 }
@@ -33,18 +32,18 @@ static double spline(double r)
 static void weigh(const Table *t, double most[SIDE][SIDE])
 {
     for (int row = 0; row < t->nrow; row++) {
-        const double X = table_number(t, row, "X"), Y = table_number(t, row, "Y"), R = hypot(X, Y);
+        const double X = select_number(t, row, "X"), Y = select_number(t, row, "Y"),
+                     R = hypot(X, Y);
         const double stretch = 1 + 0.1 * (6 - 9 * R + 4 * R * R); /* problems/ring.c at t = 0 */
         const double n = (double)CELLS * stretch, x = n * X, y = n * Y;
         for (int j = 0; j < SIDE; j++)
             for (int i = 0; i < SIDE; i++)
-                most[j][i] = worse(most[j][i], spline(x - i) * spline(y - j));
+                most[j][i] = measure_worse(most[j][i], spline(x - i) * spline(y - j));
     }
 }
 
 static void output_nodes(FILE *f, double most[SIDE][SIDE], const char *status)
 {
-    fputs("x,y,most,spurious,status\n", f);
     for (int j = 0; j < SIDE; j++)
         for (int i = 0; i < SIDE; i++)
             if (!(most[j][i] <= 0))
@@ -52,45 +51,34 @@ static void output_nodes(FILE *f, double most[SIDE][SIDE], const char *status)
                         most[j][i], !(most[j][i] > trigger), status);
 }
 
-static int tables(const char *dir, bool quick, Fault *fault)
+static void tables(const Results *r)
 {
     double most[SIDE][SIDE] = {{0}};
-    char path[PATH_TEXT];
-    Files files;
-    (void)quick;
-    Table *t = table_read_part(dir, name, "particles", fault);
-    if (!t) return FAULT_MACHINE;
-    weigh(t, most);
+    Table *t = results_left(r, "particles");
+    if (t) weigh(t, most);
     table_free(t);
-    table_part_path(path, dir, name, "nodes");
-    FILE *f = file_begin(path, fault);
-    if (!f) return FAULT_MACHINE;
-    files_open(&files, dir, name);
-    output_nodes(f, most, file_status(&files, "particles"));
-    files_close(&files);
-    return file_commit(f, path, fault);
+    output_nodes(results_write(r, "nodes", "x,y,most,spurious,status"), most,
+                 results_status(r, "particles"));
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *t = claim_part(c, dir, "nodes");
-    (void)rows;
+    const Table *t = results_part(r, "nodes");
     int spurious = 0;
-    Measure inner = sum_of(INNER);
+    Measure inner = measure_sum_of(INNER);
     for (int row = 0; row < t->nrow; row++) {
-        const double r = hypot(table_number(t, row, "x"), table_number(t, row, "y"));
-        const double is = kept_number(t, row, "spurious");
+        const double R = hypot(select_number(t, row, "x"), select_number(t, row, "y"));
+        const double is = select_kept(t, row, "spurious");
         spurious += is > 0;
-        if (r >= 0.625 && r <= 1.1) add_sum(&inner, is);
+        if (R >= 0.625 && R <= 1.1) measure_add(&inner, is);
     }
     claim(c, "W11-3.outside", "no node inside the ring is spurious: how many are", inner, 0, 0);
     claim_note(c, "trigger", trigger);
     claim_note(c, "spurious", spurious);
-    table_free(t);
 }
 
 const Study study_w11_03_spurious = {
-    .name = name,
+    .name = "w11_03_spurious",
     .figure = "W11-3",
     .about = "weight of a node, the trigger weight, and spurious nodes on the ring",
     .cases = cases,

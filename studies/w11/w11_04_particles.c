@@ -5,9 +5,9 @@
 static void cases(Cases *list, bool quick)
 {
     (void)quick;
-    case_add_with(list, "particles", "w11_04_cartesian.csv",
+    case_add_with(list, "particles", "cartesian",
                   "run ring --cells 16 --set layout=cartesian --set steps=1");
-    case_add_with(list, "particles", "w11_04_radial.csv",
+    case_add_with(list, "particles", "radial",
                   "run ring --cells 16 --set layout=radial --set steps=1");
 }
 

@@ -3,47 +3,41 @@
  * ms it passes through its natural shape, at 10 ms it is drawn in. */
 #include <math.h>
 #include <stdlib.h>
-#include "studies/tables/files.h"
-#include "studies/runs/memory.h"
+#include "studies/tables/curves.h"
 
 enum { PARTICLES = 2000 }; /* of some 2400 in the quarter ring at 32 cells */
 
 /* At t = 0 the run takes one step of 1 ns, so that the state is the initial one. */
-static const char *const time_ms[] = {"0", "5", "10"}, *const t_end[] = {"1e-9", "0.005", "0.01"};
+static const char *const time_ms[] = {"0ms", "5ms", "10ms"}, *const t_end[] = {"1e-9", "0.005",
+                                                                               "0.01"};
 
 static void cases(Cases *list, bool quick)
 {
     for (int k = 0; k < 3; k++) {
-        char file[64];
-        snprintf(file, sizeof file, "w11_05_%sms.csv", time_ms[k]);
-        case_add_with(list, "particles", file, "run ring --cells %d --set layout=radial --t-end %s",
-                      quick ? 8 : 32, t_end[k]);
+        case_add_with(list, "particles", time_ms[k],
+                      "run ring --cells %d --set layout=radial --t-end %s", quick ? 8 : 32,
+                      t_end[k]);
     }
 }
 
 /* The largest stress of one file, over all components, in its absolute value. */
-static Measure largest_stress(const Files *files, const char *ms)
+static Measure largest_stress(const Results *r, const char *ms)
 {
-    char *path = must_text("%s/w11_05_%sms.csv", files->dir, ms);
-    Table *t = path_kept(files, path) ? table_read(path, NULL) : NULL;
-    Measure most = largest_of(PARTICLES);
+    Table *t = results_file(r, ms);
+    Measure most = measure_max_of(PARTICLES);
     for (int k = 0; t && k < t->nrow; k++)
-        add_largest(&most, worse(fabs(table_number(t, k, "sxx")), fabs(table_number(t, k, "syy"))));
+        measure_add_max(&most, measure_worse(fabs(select_number(t, k, "sxx")),
+                                             fabs(select_number(t, k, "syy"))));
     table_free(t);
-    free(path);
     return most;
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Files files;
-    (void)rows;
-    files_open(&files, dir, "w11_05_ring_stress");
     claim(c, "W11-5.rest",
           "at 5 ms the ring passes through its stress-free shape: largest stress there "
           "against that at 0 ms",
-          over(largest_stress(&files, "5"), largest_stress(&files, "0")), 0, 0.1);
-    files_close(&files);
+          measure_ratio(largest_stress(r, "5ms"), largest_stress(r, "0ms")), 0, 0.1);
 }
 
 const Study study_w11_05_ring_stress = {

@@ -43,7 +43,7 @@ static Measure order(const Table *t, const char *method, const char *layout, dou
 {
     Curve c;
     errors(&c, t, method, layout);
-    return times(curve_order(&c, from, to, meshes), -1);
+    return measure_times(curve_order(&c, from, to, meshes), -1);
 }
 
 /* Largest and smallest error of the runs with CFL .05 .. most at N = 32. */
@@ -51,14 +51,14 @@ static Measure ends_in_cfl(const Table *t, const char *method, const char *layou
                            double *low)
 {
     Curve c;
-    Measure high = largest_of(0);
+    Measure high = measure_max_of(0);
     *low = INFINITY;
     for (int k = 0; k < STEPS; k++) high.needs += cfl[k] <= most + 1e-9;
     curve_pick(&c, t, "cfl", "error_linf", "method=%s layout=%s cells=32", method, layout);
     for (int k = 0; k < c.n; k++) {
         if (c.x[k] > most + 1e-9) continue;
-        *low = lesser(*low, c.y[k]);
-        add_largest(&high, c.y[k]);
+        *low = measure_lesser(*low, c.y[k]);
+        measure_add_max(&high, c.y[k]);
     }
     return high;
 }
@@ -68,7 +68,7 @@ static Measure spread_in_cfl(const Table *t, const char *method)
 {
     double low;
     const Measure high = ends_in_cfl(t, method, "cartesian", 0.5, &low);
-    return times(high, 1 / low);
+    return measure_times(high, 1 / low);
 }
 
 static void check_fem(Check *c, const Table *t)
@@ -78,7 +78,8 @@ static void check_fem(Check *c, const Table *t)
     claim(c, "W11-6.fem-order", "FEM is of second order",
           order(t, "fem", "cartesian", 8, 128, MESHES), 1.9, 2.1);
     claim(c, "W11-6.fem-best", "FEM is the most accurate at N = 32: its error over GIMP's",
-          over(error_at(t, "fem", "cartesian", 32), error_at(t, "gimp", "cartesian", 32)), 0, 0.5);
+          measure_ratio(error_at(t, "fem", "cartesian", 32), error_at(t, "gimp", "cartesian", 32)),
+          0, 0.5);
 }
 
 static void check_gimp(Check *c, const Table *t)
@@ -95,11 +96,11 @@ static void check_gimp(Check *c, const Table *t)
     claim_differs(
         c, "W11-6.gimp-layout",
         "GIMP works best with particles on the lattice: error fitted over error lattice",
-        over(error_at(t, "gimp", "radial", 32), at_32), 1, 100, 0.12, 0.25,
+        measure_ratio(error_at(t, "gimp", "radial", 32), at_32), 1, 100, 0.12, 0.25,
         "fitted particles are about five times better at N = 32, then stall; both are shown");
     claim(c, "W11-6.ge-gain",
           "GE gains nothing on lattice particles: its error over GIMP's at N = 32",
-          over(error_at(t, "ge_gimp", "cartesian", 32), at_32), 1, 1.3);
+          measure_ratio(error_at(t, "ge_gimp", "cartesian", 32), at_32), 1, 1.3);
     claim(c, "W11-6.gimp-cfl",
           "GIMP's error does not depend on the time step: largest over smallest, "
           "CFL .05 to .5",
@@ -111,7 +112,7 @@ static Measure share_in_cfl(const Table *t, const char *method)
 {
     double low;
     const Measure high = ends_in_cfl(t, method, "radial", 0.6, &low);
-    return with_value(high, (high.value - low) / high.value);
+    return measure_with(high, (high.value - low) / high.value);
 }
 
 static void check_wls(Check *c, const Table *t)
@@ -123,7 +124,7 @@ static void check_wls(Check *c, const Table *t)
           1.25 * 2.73e-4);
     claim(c, "W11-6.wls-gimp",
           "WLS is better than GIMP with particles on the lattice: its error over GIMP's, N = 32",
-          over(at_32, error_at(t, "gimp", "cartesian", 32)), 0, 0.5);
+          measure_ratio(at_32, error_at(t, "gimp", "cartesian", 32)), 0, 0.5);
     claim_differs(c, "W11-6.wls-cfl",
                   "WLS's error is flat in CFL .05 to .6 at N = 32: (largest - smallest)/largest",
                   share_in_cfl(t, "wls"), 0, 0.10, 0.10, 0.12,
@@ -143,20 +144,19 @@ static void check_wls2(Check *c, const Table *t)
           share_in_cfl(t, "wls2"), 0, 0.35);
 }
 
-static void check(Check *c, const Table *t, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    (void)dir;
-    check_fem(c, t);
-    check_gimp(c, t);
-    check_wls(c, t);
-    check_wls2(c, t);
+    check_fem(c, r->rows);
+    check_gimp(c, r->rows);
+    check_wls(c, r->rows);
+    check_wls2(c, r->rows);
     claim(c, "W11-6.mpm-order", "MPM does not converge",
-          order(t, "mpm", "cartesian", 8, 128, MESHES), -1, 0.5);
-    claim_note(c, "order_gimp_radial", order(t, "gimp", "radial", 8, 128, MESHES).value);
+          order(r->rows, "mpm", "cartesian", 8, 128, MESHES), -1, 0.5);
+    claim_note(c, "order_gimp_radial", order(r->rows, "gimp", "radial", 8, 128, MESHES).value);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         char name[64];
-        const double lattice = order(t, (*m)->name, "cartesian", 8, 128, MESHES).value;
-        const double fitted = order(t, (*m)->name, "radial", 8, 128, MESHES).value;
+        const double lattice = order(r->rows, (*m)->name, "cartesian", 8, 128, MESHES).value;
+        const double fitted = order(r->rows, (*m)->name, "radial", 8, 128, MESHES).value;
         snprintf(name, sizeof name, "order_%s", (*m)->name);
         claim_note(c, name, isnan(lattice) ? fitted : lattice);
     }

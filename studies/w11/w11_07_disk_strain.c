@@ -4,7 +4,8 @@
  * t = 0: free flight. t = 2: after the first impact, on the floor at t ~ .5, the disk vibrates. t =
  * 3: in its second impact, on the right wall, which it meets at t ~ 2.5. */
 #include <math.h>
-#include "studies/tables/files.h"
+#include "studies/runs/engines.h"
+#include "studies/tables/curves.h"
 
 static const char name[] = "w11_07_disk_strain";
 static const char *const methods[] = {"wls2", "gimp"};
@@ -16,10 +17,10 @@ enum { METHODS = 2, TIMES = 3, PARTICLES = 1000 };
 static void cases(Cases *list, bool quick)
 {
     for (int m = 0; m < METHODS; m++)
-        for (int k = 0; k < TIMES && method_known(methods[m]); k++) {
-            char file[64];
-            snprintf(file, sizeof file, "%s.%s.%s.csv", name, methods[m], shown[k].time);
-            case_add_with(list, "particles", file,
+        for (int k = 0; k < TIMES && engine_method(methods[m]); k++) {
+            char part[64];
+            snprintf(part, sizeof part, "%s.%s", methods[m], shown[k].time);
+            case_add_with(list, "particles", part,
                           "run disk_impact --method %s --cells %d --t-end %s", methods[m],
                           quick ? 12 : 48, shown[k].t_end);
         }
@@ -30,18 +31,18 @@ typedef struct Look {
     Measure right, energy, vx;
 } Look;
 
-static Look look(const Files *files, const char *method, const char *time)
+static Look look(const Results *r, const char *method, const char *time)
 {
     char part[64];
     snprintf(part, sizeof part, "%s.%s", method, time);
-    Table *t = file_read(files, part);
-    Look out = {largest_of(PARTICLES), sum_of(PARTICLES), sum_of(PARTICLES)};
+    Table *t = results_file(r, part);
+    Look out = {measure_max_of(PARTICLES), measure_sum_of(PARTICLES), measure_sum_of(PARTICLES)};
     double mass = 0;
     for (int k = 0; t && k < t->nrow; k++) {
-        const double m = table_number(t, k, "mass");
-        add_largest(&out.right, table_number(t, k, "x"));
-        add_sum(&out.energy, m / 1000 * table_number(t, k, "energy")); /* V0 = m/rho */
-        add_sum(&out.vx, m * table_number(t, k, "vx"));
+        const double m = select_number(t, k, "mass");
+        measure_add_max(&out.right, select_number(t, k, "x"));
+        measure_add(&out.energy, m / 1000 * select_number(t, k, "energy")); /* V0 = m/rho */
+        measure_add(&out.vx, m * select_number(t, k, "vx"));
         mass += m;
     }
     out.vx.value /= mass;
@@ -49,24 +50,20 @@ static Look look(const Files *files, const char *method, const char *time)
     return out;
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Files files;
-    (void)rows;
-    files_open(&files, dir, name);
-    const Look start = look(&files, "wls2", "0"), later = look(&files, "wls2", "2"),
-               last = look(&files, "wls2", "3");
-    files_close(&files);
+    const Look start = look(r, "wls2", "0"), later = look(r, "wls2", "2"),
+               last = look(r, "wls2", "3");
     claim(c, "W11-7.flight", "WLS2: strain energy at t = 0 over that at t = 3",
-          over(start.energy, last.energy), 0, 1e-12);
+          measure_ratio(start.energy, last.energy), 0, 1e-12);
     claim(c, "W11-7.vibration",
           "at t = 2, between two impacts, little of it is left: strain energy over that at t = 3",
-          over(later.energy, last.energy), 0, 0.2);
+          measure_ratio(later.energy, last.energy), 0, 0.2);
     claim(c, "W11-7.second-impact",
           "fig. 7c is the second impact: at t = 3 the disk is at the right wall, largest x [m]",
           last.right, 0.98, 1.001);
     claim(c, "W11-7.turning", "and is being thrown back: mean vx at t = 3 over that at the start",
-          over(last.vx, start.vx), -1, 0.5);
+          measure_ratio(last.vx, start.vx), -1, 0.5);
 }
 
 const Study study_w11_07_disk_strain = {

@@ -4,10 +4,9 @@
  * The disk flies at 45 degrees: kinetic energy is halved when it stands still against the floor at
  * t ~ .93, and what comes back of it is judged at t = 2.3, before it meets the right wall. */
 #include <math.h>
-#include <string.h>
-#include "studies/tables/files.h"
+#include "studies/runs/engines.h"
+#include "studies/tables/curves.h"
 
-static const char name[] = "w11_08_disk_energy";
 enum { INSTANTS = 200 }; /* of a history, at least */
 enum { FRAMES = 60, STEPS = 474 /* of the default run; frames are some of them */ };
 static const char *const unilateral[] = {"wls", "wls2", "gimp"};
@@ -15,47 +14,35 @@ static const char *const unilateral[] = {"wls", "wls2", "gimp"};
 static void cases(Cases *list, bool quick)
 {
     const int cells = quick ? 12 : 48;
-    char file[64];
+    char part[64];
     for (const Info *const *m = engine_2d.methods; *m; m++) {
-        snprintf(file, sizeof file, "%s.%s.csv", name, (*m)->name);
-        case_add_with(list, "history", file, "run disk_impact --method %s --cells %d", (*m)->name,
-                      cells);
+        case_add_with(list, "history", (*m)->name, "run disk_impact --method %s --cells %d",
+                      (*m)->name, cells);
     }
-    for (int k = 0; k < 3 && method_known(unilateral[k]); k++) {
-        snprintf(file, sizeof file, "%s.%s_unilateral.csv", name, unilateral[k]);
-        case_add_with(list, "history", file,
+    for (int k = 0; k < 3 && engine_method(unilateral[k]); k++) {
+        snprintf(part, sizeof part, "%s_unilateral", unilateral[k]);
+        case_add_with(list, "history", part,
                       "run disk_impact --method %s --cells %d --set wall=unilateral", unilateral[k],
                       cells);
     }
-    for (int k = 0; k < FRAMES && method_known("wls2"); k++) {
-        snprintf(file, sizeof file, "%s.frame.%d.csv", name, k);
-        case_add_with(list, "particles", file,
+    for (int k = 0; k < FRAMES && engine_method("wls2"); k++) {
+        snprintf(part, sizeof part, "frame.%d", k);
+        case_add_with(list, "particles", part,
                       "run disk_impact --method wls2 --cells %d --set steps=%d", cells,
                       1 + k * (STEPS - 1) / (FRAMES - 1) / (quick ? 4 : 1));
     }
 }
 
 /* Which instant each frame shows: the runs that were to stop early, in their order. */
-static void write_frames(FILE *f, const Table *rows)
+static void tables(const Results *r)
 {
+    FILE *f = results_write(r, "frames", "frame,t");
+    const Table *rows = r->rows;
     int frame = 0;
-    fputs("frame,t\n", f);
     for (int row = 0; row < rows->nrow; row++)
-        if (strstr(table_text(rows, row, "params"), "steps="))
+        if (select_number(rows, row, "set.steps") > 0)
             fprintf(f, "%d,%.17g\n", frame++,
-                    table_number(rows, row, "steps") * table_number(rows, row, "dt"));
-}
-
-static int tables(const char *dir, bool quick, Fault *fault)
-{
-    char path[PATH_TEXT];
-    (void)quick;
-    table_part_path(path, dir, name, "frames");
-    Table *rows = table_read_part(dir, name, NULL, fault);
-    FILE *f = rows ? file_begin(path, fault) : NULL;
-    if (f) write_frames(f, rows);
-    table_free(rows);
-    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
+                    select_number(rows, row, "steps") * select_number(rows, row, "dt"));
 }
 
 /* What one history gives; it must go on to t = 2.3. */
@@ -67,18 +54,18 @@ typedef struct Bounce {
     double back;   /* total energy over E0 at t = 2.3 */
 } Bounce;
 
-static Bounce bounce(const Files *files, const char *part)
+static Bounce bounce(const Results *r, const char *part)
 {
-    Table *t = file_read(files, part);
-    const double E0 = t && t->nrow ? table_number(t, 0, "total") : NAN;
-    Bounce b = {E0, least_of(INSTANTS), NAN, largest_of(INSTANTS), NAN};
+    Table *t = results_file(r, part);
+    const double E0 = t && t->nrow ? select_number(t, 0, "total") : NAN;
+    Bounce b = {E0, measure_min_of(INSTANTS), NAN, measure_max_of(INSTANTS), NAN};
     double before = NAN, when = NAN;
     for (int k = 0; t && k < t->nrow; k++) {
-        const double now = table_number(t, k, "t"), kinetic = table_number(t, k, "kinetic") / E0;
-        const double total = table_number(t, k, "total") / E0;
+        const double now = select_number(t, k, "t"), kinetic = select_number(t, k, "kinetic") / E0;
+        const double total = select_number(t, k, "total") / E0;
         if (now < 1.6 && kinetic < b.least.value) b.at = now;
-        if (now < 1.6) add_least(&b.least, kinetic);
-        if (now <= 2.3) add_largest(&b.over, total - 1);
+        if (now < 1.6) measure_add_min(&b.least, kinetic);
+        if (now <= 2.3) measure_add_max(&b.over, total - 1);
         if (now >= 2.3 && isnan(b.back))
             b.back = before + (total - before) * (2.3 - when) / (now - when);
         before = total;
@@ -88,61 +75,58 @@ static Bounce bounce(const Files *files, const char *part)
     return b;
 }
 
-static void check_one(Check *c, const Files *files, const char *method, const char *label,
-                      double low, double high)
+static void check_one(Check *c, const Results *r, const char *method, const char *label, double low,
+                      double high)
 {
     char id[64], text[128];
-    const Bounce b = bounce(files, method);
+    const Bounce b = bounce(r, method);
     snprintf(id, sizeof id, "W11-8.half-%s", method);
     snprintf(text, sizeof text, "%s: kinetic energy falls by half: least of it over E0", label);
     claim(c, id, text, b.least, 0.52, 0.54);
     snprintf(id, sizeof id, "W11-8.when-%s", method);
     snprintf(text, sizeof text, "%s: time of the least kinetic energy [s]", label);
-    claim(c, id, text, with_value(b.least, b.at), 0.90, 0.96);
+    claim(c, id, text, measure_with(b.least, b.at), 0.90, 0.96);
     snprintf(id, sizeof id, "W11-8.back-%s", method);
     snprintf(text, sizeof text, "%s: total energy over E0 at t = 2.3, after the rebound", label);
-    claim(c, id, text, with_value(b.over, b.back), low, high);
+    claim(c, id, text, measure_with(b.over, b.back), low, high);
 }
 
 /* Largest change of the total energy in one step before t = 2.3, over E0. */
-static Measure largest_jump(const Files *files, const char *part)
+static Measure largest_jump(const Results *r, const char *part)
 {
-    Table *t = file_read(files, part);
-    Measure most = largest_of(INSTANTS);
-    for (int k = 1; t && k < t->nrow && table_number(t, k, "t") <= 2.3; k++)
-        add_largest(&most, fabs(table_number(t, k, "total") - table_number(t, k - 1, "total")) /
-                               table_number(t, 0, "total"));
+    Table *t = results_file(r, part);
+    Measure most = measure_max_of(INSTANTS);
+    for (int k = 1; t && k < t->nrow && select_number(t, k, "t") <= 2.3; k++)
+        measure_add_max(&most,
+                        fabs(select_number(t, k, "total") - select_number(t, k - 1, "total")) /
+                            select_number(t, 0, "total"));
     table_free(t);
     return most;
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Files files;
-    (void)rows;
-    files_open(&files, dir, name);
-    check_one(c, &files, "wls", "WLS", 0.994, 1.006);
-    check_one(c, &files, "wls2", "WLS2", 0.994, 1.006);
-    check_one(c, &files, "gimp", "GIMP", 0.970, 0.980);
+    check_one(c, r, "wls", "WLS", 0.994, 1.006);
+    check_one(c, r, "wls2", "WLS2", 0.994, 1.006);
+    check_one(c, r, "gimp", "GIMP", 0.970, 0.980);
     claim(c, "W11-8.smooth-wls", "WLS: no jumps: largest change of energy in a step over E0",
-          largest_jump(&files, "wls"), 0, 0.01);
-    claim(c, "W11-8.smooth-gimp", "GIMP: the same", largest_jump(&files, "gimp"), 0, 0.01);
+          largest_jump(r, "wls"), 0, 0.01);
+    claim(c, "W11-8.smooth-gimp", "GIMP: the same", largest_jump(r, "gimp"), 0, 0.01);
     claim(c, "W11-8.unilateral",
           "a wall that lets go halves WLS's overshoot of energy: ratio of largest total less E0",
-          over(bounce(&files, "wls_unilateral").over, bounce(&files, "wls").over), 0, 0.65);
+          measure_ratio(bounce(r, "wls_unilateral").over, bounce(r, "wls").over), 0, 0.65);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         char note[64];
-        const Bounce b = bounce(&files, (*m)->name);
+        const Bounce b = bounce(r, (*m)->name);
         snprintf(note, sizeof note, "back_%s", (*m)->name);
         claim_note(c, note, b.back);
         snprintf(note, sizeof note, "start_%s", (*m)->name);
         claim_note(c, note, b.start);
     }
-    files_close(&files);
 }
 
 const Study study_w11_08_disk_energy = {
-    .name = name,
+    .name = "w11_08_disk_energy",
     .figure = "W11-8",
     .about = "disk: kinetic, strain and total energy through two impacts, every method",
     .cases = cases,

@@ -1,9 +1,9 @@
 /* w11_09_plate_stress.c: von Mises stress of the plate with a hole at 0, 464 and 696 us, by WLS2
  * and by GIMP. Wallstedt and Guilkey (2011), fig. 9. */
 #include <math.h>
-#include "studies/tables/files.h"
+#include "studies/runs/engines.h"
+#include "studies/tables/curves.h"
 
-static const char name[] = "w11_09_plate_stress";
 static const char *const methods[] = {"wls2", "gimp"};
 static const struct {
     const char *time, *t_end;
@@ -13,42 +13,38 @@ enum { METHODS = 2, TIMES = 3, PARTICLES = 3000 };
 static void cases(Cases *list, bool quick)
 {
     for (int m = 0; m < METHODS; m++)
-        for (int k = 0; k < TIMES && method_known(methods[m]); k++) {
-            char file[64];
-            snprintf(file, sizeof file, "%s.%s.%s.csv", name, methods[m], shown[k].time);
-            case_add_with(list, "particles", file,
+        for (int k = 0; k < TIMES && engine_method(methods[m]); k++) {
+            char part[64];
+            snprintf(part, sizeof part, "%s.%s", methods[m], shown[k].time);
+            case_add_with(list, "particles", part,
                           "run hole_plate --method %s --cells %d --t-end %s", methods[m],
                           quick ? 8 : 32, shown[k].t_end);
         }
 }
 
 /* Largest von Mises stress of one state [GPa]. */
-static Measure largest_mises(const Files *files, const char *method, const char *time)
+static Measure largest_mises(const Results *r, const char *method, const char *time)
 {
     char part[64];
-    Measure most = largest_of(PARTICLES);
+    Measure most = measure_max_of(PARTICLES);
     snprintf(part, sizeof part, "%s.%s", method, time);
-    Table *t = file_read(files, part);
+    Table *t = results_file(r, part);
     for (int k = 0; t && k < t->nrow; k++)
-        add_largest(&most, table_number(t, k, "von_mises") / 1e9);
+        measure_add_max(&most, select_number(t, k, "von_mises") / 1e9);
     table_free(t);
     return most;
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Files files;
-    (void)rows;
-    files_open(&files, dir, name);
     claim(c, "W11-9.rest", "at 0 us the plate is free of stress: largest [GPa]",
-          largest_mises(&files, "wls2", "0"), 0, 1e-6);
+          largest_mises(r, "wls2", "0"), 0, 1e-6);
     claim(c, "W11-9.growth", "WLS2: largest von Mises stress at 464 us over that at 696 us",
-          over(largest_mises(&files, "wls2", "464"), largest_mises(&files, "wls2", "696")), 0.5, 1);
-    files_close(&files);
+          measure_ratio(largest_mises(r, "wls2", "464"), largest_mises(r, "wls2", "696")), 0.5, 1);
 }
 
 const Study study_w11_09_plate_stress = {
-    .name = name,
+    .name = "w11_09_plate_stress",
     .figure = "W11-9",
     .about = "plate with hole: von Mises stress at 0, 464 and 696 us",
     .cases = cases,

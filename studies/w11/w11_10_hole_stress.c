@@ -6,120 +6,90 @@
  * its mean of seven neighbours in angle. */
 #include <math.h>
 #include <string.h>
-#include "studies/tables/files.h"
+#include "studies/tables/curves.h"
 #include "studies/tables/hole.h"
 
-static const char name[] = "w11_10_hole_stress";
 static const int meshes[] = {16, 23, 32, 45, 64};
 static const char fem_nodes[] = "fem_nodes"; /* FEM once more, as nodes: they move farthest */
 enum { MESHES = sizeof meshes / sizeof *meshes, FINE = 256, FINE_QUICK = 32 };
 
 static void cases(Cases *list, bool quick)
 {
-    char file[64];
-    snprintf(file, sizeof file, "%s.reference.csv", name);
-    case_add_with(list, "samples", file, "run hole_plate --method fem --cells %d",
+    char part[64];
+    case_add_with(list, "samples", "reference", "run hole_plate --method fem --cells %d",
                   quick ? FINE_QUICK : FINE);
-    snprintf(file, sizeof file, "%s.%s.%d.csv", name, fem_nodes, quick ? 16 : 32);
-    case_add_with(list, "particles", file, "run hole_plate --method fem --cells %d",
+    snprintf(part, sizeof part, "%s.%d", fem_nodes, quick ? 16 : 32);
+    case_add_with(list, "particles", part, "run hole_plate --method fem --cells %d",
                   quick ? 16 : 32);
     for (const Info *const *m = engine_2d.methods; *m; m++)
         for (int k = 0; k < (quick ? 1 : MESHES); k++) {
-            snprintf(file, sizeof file, "%s.%s.%d.csv", name, (*m)->name, meshes[k]);
-            case_add_with(list, "samples", file, "run hole_plate --method %s --cells %d",
+            snprintf(part, sizeof part, "%s.%d", (*m)->name, meshes[k]);
+            case_add_with(list, "samples", part, "run hole_plate --method %s --cells %d",
                           (*m)->name, meshes[k]);
         }
 }
 
 /* The reference every degree along the hole. */
-static void write_truth(FILE *f, const char *dir, const HoleReference *r)
+static void write_truth(FILE *f, const HoleReference *truth, const char *status)
 {
-    Files files;
-    files_open(&files, dir, name);
-    const char *status = file_status(&files, "reference");
-    files_close(&files);
-    fputs("angle,von_mises,status\n", f);
     for (int degree = 0; degree <= 90; degree++) {
         const double angle = degree * M_PI / 180;
         fprintf(f, "%d,%.17g,%s\n", degree,
-                hole_reference_at(r, 0.5 * cos(angle), 0.5 * sin(angle)), status);
+                hole_reference_at(truth, 0.5 * cos(angle), 0.5 * sin(angle)), status);
     }
 }
 
 /* One run: its points along the hole into `points`, its numbers into `sums`. */
-static void write_run(FILE *points, FILE *sums, const Files *files, const char *method, int cells,
-                      const HoleReference *r)
+static void write_run(FILE *points, FILE *sums, const Results *r, const char *method, int cells,
+                      const HoleReference *truth)
 {
-    char path[PATH_TEXT], part[64];
-    Rim rim;
+    char part[64];
     snprintf(part, sizeof part, "%s.%d", method, cells);
-    table_part_path(path, files->dir, name, part);
-    if (!file_kept(files, part) || hole_read(&rim, path, cells, r, NULL)) return;
+    Table *t = results_file(r, part);
+    if (!t) return;
+    Rim rim = hole_read(t, cells, truth);
     for (int k = 0; k < rim.n; k++)
         fprintf(points, "%s,%d,%.17g,%.17g,%.17g\n", method, cells, rim.angle[k], rim.stress[k],
                 rim.reference[k]);
     fprintf(sums, "%s,%d,%d,%.17g,%.17g,%.17g\n", method, cells, rim.n, hole_rms(&rim),
             hole_scatter(&rim), rim.moved);
     hole_free(&rim);
+    table_free(t);
 }
 
-static void write_runs(FILE *points, FILE *sums, const char *dir, const HoleReference *r)
+static void tables(const Results *r)
 {
-    Files files;
-    files_open(&files, dir, name);
-    fputs("method,cells,angle,von_mises,reference\n", points);
-    fputs("method,cells,points,rms,scatter,displacement\n", sums);
-    for (const Info *const *m = engine_2d.methods; *m; m++)
-        for (int k = 0; k < MESHES; k++) write_run(points, sums, &files, (*m)->name, meshes[k], r);
-    for (int k = 0; k < MESHES; k++) write_run(points, sums, &files, fem_nodes, meshes[k], r);
-    files_close(&files);
-}
-
-enum { TRUTH, RIM, SUMS, PARTS };
-static const char *const parts[PARTS] = {"truth", "rim", "sums"};
-
-static int tables(const char *dir, bool quick, Fault *fault)
-{
-    char path[PARTS][PATH_TEXT];
-    FILE *f[PARTS] = {NULL};
-    HoleReference r;
-    int code = 0;
-    table_part_path(path[0], dir, name, "reference");
-    if (hole_reference_read(&r, path[0], quick ? FINE_QUICK : FINE, fault)) return FAULT_MACHINE;
-    for (int k = 0; k < PARTS; k++) {
-        table_part_path(path[k], dir, name, parts[k]);
-        if (!code && !(f[k] = file_begin(path[k], fault))) code = FAULT_MACHINE;
+    FILE *points = results_write(r, "rim", "method,cells,angle,von_mises,reference");
+    FILE *sums = results_write(r, "sums", "method,cells,points,rms,scatter,displacement");
+    FILE *f = results_write(r, "truth", "angle,von_mises,status");
+    Table *t = results_file(r, "reference");
+    HoleReference truth;
+    if (hole_reference_read(&truth, t, r->quick ? FINE_QUICK : FINE) == 0) {
+        write_truth(f, &truth, results_status(r, "reference"));
+        for (const Info *const *m = engine_2d.methods; *m; m++)
+            for (int k = 0; k < MESHES; k++)
+                write_run(points, sums, r, (*m)->name, meshes[k], &truth);
+        for (int k = 0; k < MESHES; k++) write_run(points, sums, r, fem_nodes, meshes[k], &truth);
+        hole_reference_free(&truth);
     }
-    if (!code) {
-        write_truth(f[TRUTH], dir, &r);
-        write_runs(f[RIM], f[SUMS], dir, &r);
-    }
-    for (int k = 0; k < PARTS; k++)
-        if (f[k] && code)
-            file_abandon(f[k], path[k]);
-        else if (f[k])
-            code = file_commit(f[k], path[k], fault);
-    hole_reference_free(&r);
-    return code;
+    table_free(t);
 }
 
 /* The reference against the ten values known from an independent program. */
-static void check_reference(Check *c, const char *dir)
+static void check_reference(Check *c, const Results *r)
 {
     static const double known[] = {78.0, 57.7, 22.4, 10.9, 41.1, 67.6, 90.2, 108.4, 120.6, 125.0};
     Curve truth;
-    Measure worst = largest_of(10);
-    Table *t = claim_part(c, dir, parts[TRUTH]);
-    curve_pick(&truth, t, "angle", "von_mises", " ");
-    table_free(t);
+    Measure worst = measure_max_of(10);
+    curve_pick(&truth, results_part(r, "truth"), "angle", "von_mises", " ");
     for (int k = 0; k < 10; k++)
-        add_largest(&worst, fabs(curve_at(&truth, 10 * k).value - known[k]));
+        measure_add_max(&worst, fabs(curve_at(&truth, 10 * k).value - known[k]));
     const Measure peak = curve_max(&truth, 91);
     claim(c, "W11-10.reference",
           "FEM, N = 256: ten values along the hole, largest difference [GPa]", worst, 0, 0.5);
     claim(c, "W11-10.peak", "the reference's largest stress [GPa]", peak, 124.7, 125.3);
     claim(c, "W11-10.peak-place", "which is at 90 degrees: the value there over it",
-          with_value(peak, curve_at(&truth, 90).value / peak.value), 1, 1);
+          measure_with(peak, curve_at(&truth, 90).value / peak.value), 1, 1);
 }
 
 static Measure result(const Table *sums, const char *want, const char *method, int cells)
@@ -150,23 +120,24 @@ static void check_stress(Check *c, const Table *sums)
     claim(c, "W11-10.rms-wls2", "WLS2: the same", result(sums, "rms", "wls2", 32), 0, 4);
     claim(c, "W11-10.rms-gimp", "GIMP: the same", result(sums, "rms", "gimp", 32), 25, 100);
     claim(c, "W11-10.near-fem", "WLS is nearly as accurate as FEM: rms difference over FEM's",
-          over(result(sums, "rms", "wls", 32), result(sums, "rms", "fem", 32)), 0, 1.5);
+          measure_ratio(result(sums, "rms", "wls", 32), result(sums, "rms", "fem", 32)), 0, 1.5);
     claim(c, "W11-10.scatter", "GIMP has more scatter: its scatter over WLS2's, h = 1/32",
-          over(result(sums, "scatter", "gimp", 32), result(sums, "scatter", "wls2", 32)), 3, 100);
+          measure_ratio(result(sums, "scatter", "gimp", 32), result(sums, "scatter", "wls2", 32)),
+          3, 100);
     claim(c, "W11-10.gimp-finer",
           "GIMP gets worse on finer meshes: rms difference at h = 1/64 over that at 1/16",
-          over(result(sums, "rms", "gimp", 64), result(sums, "rms", "gimp", 16)), 1, 100);
+          measure_ratio(result(sums, "rms", "gimp", 64), result(sums, "rms", "gimp", 16)), 1, 100);
 }
 
-static void check(Check *c, const Table *rows, const char *dir)
+static void check(Check *c, const Results *r)
 {
-    Table *sums = claim_part(c, dir, parts[SUMS]);
-    const Measure lost = count_lost(rows, MESHES, "method=wls2");
-    check_reference(c, dir);
+    const Table *sums = results_part(r, "sums");
+    const Measure lost = select_count_lost(r->rows, MESHES, "method=wls2");
+    check_reference(c, r);
     check_moved(c, sums);
     check_stress(c, sums);
     claim(c, "W11-10.whole", "WLS2 completes on every mesh, h = 1/16 to 1/64: of five",
-          with_value(lost, (double)MESHES - lost.value), 5, 5);
+          measure_with(lost, (double)MESHES - lost.value), 5, 5);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         char note[64];
         snprintf(note, sizeof note, "rms_%s", (*m)->name);
@@ -174,11 +145,10 @@ static void check(Check *c, const Table *rows, const char *dir)
         snprintf(note, sizeof note, "scatter_%s", (*m)->name);
         claim_note(c, note, result(sums, "scatter", (*m)->name, 32).value);
     }
-    table_free(sums);
 }
 
 const Study study_w11_10_hole_stress = {
-    .name = name,
+    .name = "w11_10_hole_stress",
     .figure = "W11-10",
     .about = "plate with hole: von Mises stress along the hole, every method, and fine FEM",
     .cases = cases,

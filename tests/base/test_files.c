@@ -6,7 +6,6 @@
 #include <unistd.h>
 #include "common/base/table.h"
 #include "studies/engine/journal.h"
-#include "studies/study.h"
 #include "tests/check.h"
 
 /* A path in a folder of our own below the build folder (the working folder of the tests). */
@@ -150,22 +149,6 @@ static void test_order_fit(void)
     CU_ASSERT(isnan(table_order_fit(1, x, y, NULL)) && isnan(table_order_fit(0, x, y, NULL)));
 }
 
-static void test_rows_pick(void)
-{
-    const char *path = scratch("pick"), *const where[] = {"method=gimp", "cells=40"};
-    double out[4];
-    put_file(path, "method,cells,e\ngimp,40,1\nmpm,40,2\ngimp,4e1,3\ngimp,80,4\n");
-    Table *t = table_read(path, NULL);
-    CU_ASSERT_PTR_NOT_NULL_FATAL(t);
-    CU_ASSERT(select_rows(t, 2, where, "e", 4, out) == 2 && out[0] == 1 && out[1] == 3);
-    CU_ASSERT(select_rows(t, 2, where, "e", 1, out) == 1);
-    CU_ASSERT(select_rows(t, 0, NULL, "e", 4, out) == 4);
-    const char *const absent[] = {"colour="};
-    CU_ASSERT(select_rows(t, 1, absent, "e", 4, out) == 0);
-    table_free(t);
-    unlink(path);
-}
-
 static void journal_of(const char *path, int n)
 {
     Journal j;
@@ -191,6 +174,13 @@ static void test_journal(void)
     CU_ASSERT(journal_append(j.fd, "key 3", "row,again") == 0);
     CU_ASSERT(journal_reload(&j, path, NULL) == 0 && j.n == 5); /* none doubled, the newest kept */
     CHECK_TEXT(journal_row(&j, "key 3"), "row,again");
+    CU_ASSERT(journal_append(j.fd, "--cfl 0.29999999999999999 1f", "row,old") == 0);
+    CU_ASSERT(journal_reload(&j, path, NULL) == 0);
+    CHECK_TEXT(journal_row(&j, "--cfl 0.3 1f"), "row,old");
+    CU_ASSERT_PTR_NULL(journal_row(&j, "--cfl 0.31 1f"));
+    CU_ASSERT(journal_append(j.fd, "--cfl 3e-1 1f", "row,new") == 0);
+    CU_ASSERT(journal_reload(&j, path, NULL) == 0 && j.n == 6);
+    CHECK_TEXT(journal_row(&j, "--cfl 0.3 1f"), "row,new");
     journal_close(&j);
     unlink(path);
 }
@@ -275,7 +265,6 @@ const TestCase files_tests[] = {
     {"files appear whole", test_file_commit},
     {"devices and pipes are written directly", test_file_special},
     {"order fit", test_order_fit},
-    {"rows picked", test_rows_pick},
     {"journal", test_journal},
     {"journal with a torn tail", test_journal_torn_tail},
     {"journal torn in the middle", test_journal_torn_middle},

@@ -25,6 +25,10 @@ refused "unknown short option" 2 "unknown option '-x'" run squeeze -x
 refused "option without value" 2 "--cells: got nothing" run squeeze --cells
 refused "flag with value" 2 "takes no value" run squeeze --quiet=1
 refused "unknown method" 2 "did you mean 'gimp'" run squeeze --method gmp
+refused "two letters exchanged" 2 "did you mean 'gimp'" run squeeze --method gipm
+refused "capital letters" 2 "did you mean 'gimp'" run squeeze --method GIMP
+refused "help of an unknown command" 2 "did you mean 'sweep'" help swep
+refused "help of two commands" 2 "one command" help run study
 refused "unknown integrator" 2 "integrator" run squeeze --integrator xx
 refused "unknown setting" 2 "field" run squeeze --set feild=linear
 refused "setting without value" 2 "NAME=VALUE" run squeeze --set field
@@ -71,17 +75,43 @@ refused "sweep, list and collect" 2 "both" sweep squeeze --list --collect
 run list
 ok "list has four columns" awk -F'\t' 'NF != 4 { exit 1 }' out
 ok "list has each name once" test "$(cut -f2 out | sort | uniq -d | wc -l)" -eq 0
-for kind in methods problems studies; do
+for kind in methods problems studies integrators; do
     run list $kind
     ok "list $kind" test "$status" -eq 0 -a "$(cut -f1 out | sort -u | wc -l)" -eq 1
 done
-for name in squeeze gimp $study; do
+for name in squeeze gimp cd $study; do
     run describe $name
     ok "describe $name" test "$status" -eq 0 -a -s out -a ! -s err
 done
+run describe bar
+ok "describe a problem: error scale and formula" grep -qP '^errors over\tv0 L/c\t0.01 m$' out
+ok "describe a problem: its exact motion" grep -qP '^formula\tu = ' out
+ok "describe a problem: the options that act" grep -qP '^strain_update\t' out
+run describe squeeze
+ok "describe a projection: not those that cannot act" test "$(grep -cP '^(strain_update|steps|stop_growth|refresh)\t' out)" -eq 0
+run describe ge_gimp
+ok "describe a method: its integrators" grep -qP '^integrators\tcd usl\tdefault cd$' out
+ok "describe a method: those with a fresh gradient" grep -qP '^integrators\tuvf musl\twith --set refresh=1$' out
+ok "describe a method: the settings that act" grep -qP '^domain\t' out
+run describe mpm
+ok "describe a method: not those that cannot act" test "$(grep -cP '^(domain|refresh|allow_unstable)\t' out)" -eq 0
+run describe uvf
+ok "describe an integrator: methods it is stable with" grep -qP '^methods\t.*gimp' out
 for command in "" list describe run study sweep claims; do
     run $command --help
     ok "$command --help" test "$status" -eq 0 -a -s out -a ! -s err
+done
+run --help
+cp out help
+for words in help -h; do
+    run $words
+    ok "$words" cmp -s out help
+done
+run run --help
+cp out help
+for words in "help run" "run -h"; do
+    run $words
+    ok "$words" cmp -s out help
 done
 run run squeeze --help --nonsense
 ok "help beats a wrong option" test "$status" -eq 0
@@ -153,6 +183,9 @@ for command in list --help --version "run squeeze" "describe gimp"; do
 done
 
 # Studies: whole, resumed, killed, two at once
+mkdir plotless # no gnuplot there: figures are not what is asked
+PATH=$work/plotless "$program" study all --quick --method ge_mpm --out lines >out 2>err
+ok "all studies: a line each" test "$(grep -cE '^mpmlab: [a-z0-9_]+: (done|failed)' err)" -eq "$("$program" list studies | wc -l)"
 "$program" study $study --quick >out 2>err
 ok "quick study: $(cat err)" test $? -eq 0 -a -s build/out/quick/$study.csv -a ! -s out
 ok "quick gives no verdicts" test ! -e build/out/quick/claims.csv
@@ -270,6 +303,17 @@ if [ $vtk = 1 ]; then
     head -c 3000 "$last" >short && mv short "$last"
     ok "a torn file is noticed" bash -c '! /usr/bin/python3 "$0"/vtk_read.py snap/wls2 >/dev/null' "$here"
 fi
+run run bar --vtk snap/time --every .001s --set steps=150 --quiet
+ok "--every a time: 0, .001, .002, .003 and the end" test "$status" -eq 0 -a "$(grep -c '<DataSet' snap/time/particles.pvd)" -eq 5
+ok "--every a time: the first step that reaches it" grep -q 'timestep="0.001"' snap/time/particles.pvd
+ok "the grid at the start" test -s snap/time/nodes_000000.vtp
+run run bar --set steps=150
+cp out plain.csv
+run run bar --set steps=150 --vtk snap/time --every 1
+ok "snapshots change nothing" cmp -s <(cut -d, -f1-17,21- out) <(cut -d, -f1-17,21- plain.csv)
+for every in 0s -1s s nans 1x 0.5; do
+    refused "--every $every" 2 "--every: got '$every'" run bar --vtk snap/time "--every=$every"
+done
 refused "--vtk below a file" 1 "t.csv" run disk_impact --vtk t.csv/x
 run run squeeze --cells 10 --vtk snap/squeeze --particles last.csv --quiet
 ok "--vtk of a projection" test "$status" -eq 0 -a -s snap/squeeze/particles.pvd -a -s snap/squeeze/nodes_000000.vtp

@@ -70,6 +70,10 @@ def compare(data, path):
             continue
         if any(value == "" or array.GetComponent(i, k) != float(value) for i, value in enumerate(values)):
             complain(path, "%s differs" % column)
+    u, X = data.GetPointData().GetArray("displacement"), data.GetPointData().GetArray("X")
+    for i in range(len(rows)):
+        if any(u.GetComponent(i, d) != data.GetPoint(i)[d] - X.GetComponent(i, d) for d in range(3)):
+            return complain(path, "u is not x - X")
 
 
 folder = sys.argv[1]

@@ -20,6 +20,9 @@ extern const TestCase wls_hand_tests[];
 extern const TestCase measures_tests[];
 extern const TestCase mass_tests[];
 extern const TestCase ledger_tests[];
+extern const TestCase wls_symbols_tests[];
+extern const TestCase wls_cut_tests[];
+extern const TestCase column_tests[];
 
 int main(void)
 {
@@ -39,6 +42,9 @@ int main(void)
         {"remedies", remedies_tests},
         {"WLS by hand", wls_hand_tests},
         {"measures", measures_tests},
+        {"WLS: symbols of its transfers", wls_symbols_tests},
+        {"WLS: cut surfaces", wls_cut_tests},
+        {"column", column_tests},
         {"hard cases", hard_tests},
         {"mass", mass_tests},
         {"ledger", ledger_tests},

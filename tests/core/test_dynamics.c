@@ -47,7 +47,7 @@ static void test_time_order_1d(void)
     if (DIM != 1) return;
     FOR_METHODS(m) FOR_INTEGRATORS(i)
     {
-        if (!(*m)->smooth || (*m)->pic) continue; /* a PIC update damps once a step */
+        if (!(*m)->smooth || rig_pic(*m) > 0) continue; /* a PIC update damps once a step */
         if (i == MUSL && strcmp((*m)->info.name, "bspline") == 0)
             continue; /* P S of a spline is farther from 1 */
         const double fall = fall_with_dt(&c, *m, i, 0.002, 40);
@@ -62,7 +62,7 @@ static void test_time_order_2d(void)
     if (DIM != 2) return;
     FOR_METHODS(m)
     {
-        if (!(*m)->smooth || (*m)->keeps_L || (*m)->pic)
+        if (!(*m)->smooth || (*m)->keeps_L || rig_pic(*m) > 0)
             continue; /* crossings disturb a kept L at first order */
         CHECK_CLOSE(fall_with_dt(&c, *m, UVF, 0.005, 16), 4, 0.2);
         CHECK_CLOSE(fall_with_dt(&c, *m, USL, 0.005, 16), 2, 0.1);
@@ -75,7 +75,7 @@ static Row run(const Case *c, const char *method, Integrator i, const char *more
 {
     Row row = row_empty();
     Fault fault = {0};
-    const RunSpec spec = rig_spec(c, method, step_integrator_names[i], more);
+    const RunSpec spec = rig_spec(c, method, step_integrators[i].name, more);
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     return row;
 }
@@ -86,16 +86,20 @@ static const Case pushed[] = {
     {1, "free_block", 32, 2, 0, NULL}, {2, "plate_vibration", 8, 4, 0, NULL},
     {2, "ring", 8, 4, 0, NULL},        {2, "free_block", 12, 4, 0, NULL}};
 
-/* Momentum is what walls and forces gave: to round-off, for every stable pair. (WLS: below.) */
+/* Momentum is what walls and forces gave: to round-off, for every stable pair in every variant.
+ * (WLS: below.) */
 static void test_momentum_ledger(void)
 {
+    char set[VARIANT_TEXT];
     for (int k = 0; k < COUNT(pushed); k++) FOR_METHODS(m) FOR_INTEGRATORS(i)
         {
             if (pushed[k].dim != DIM || !rig_valid(*m, i, true) || (*m)->assemble) continue;
             const bool fresh = !rig_valid(*m, i, false);
-            const Row row =
-                run(&pushed[k], (*m)->info.name, i, fresh ? "refresh=1;steps=30" : "steps=30");
-            CU_ASSERT(row.momentum_drift < 1e-12);
+            for (int v = 0; v < VARIANTS; v++) {
+                if (!rig_variant(*m, v, fresh ? "refresh=1;steps=30" : "steps=30", set)) continue;
+                const Row row = run(&pushed[k], (*m)->info.name, i, set);
+                CU_ASSERT(row.momentum_drift < 1e-12);
+            }
         }
 }
 
@@ -131,7 +135,8 @@ static void add_node(const Sim *sim, size_t at, double dt, bool solved, Grains *
         if (sound) out->gain[a] += p, out->size += fabs(p);
         if (!sound && !solved) out->lost += dt * fabs(g->node[at][FLUX + a]);
         if (!sound && !solved && g->force) out->lost += dt * fabs(g->force[at * DIM + (size_t)a]);
-        if (!sound && solved && w->corrected) out->lost += dt * fabs(w->inertia[at][I_MA + a]);
+        if (!sound && solved && w->corrected)
+            out->lost += dt * fabs(w->inertia[at].product[I_A + a]);
         if (!sound && solved && g->nstop) out->lost += fabs(p); /* walls stop it by itself */
     }
 }
@@ -191,20 +196,22 @@ static void test_wls_grid_ledger(void)
     CU_ASSERT(DIM > 2 || strict >= 150);
 }
 
-/* What the repair of spurious nodes and the return to the particles add (methods/wls.h), largest
- * over a run, relative to the largest sum m |v|: bounds a third above what is measured. The mass
- * correction adds no more than twice what lumped mass does here, but not at every mesh: disk_impact
- * 2.9 times at 16 cells, 3.7 times at 48; bar 2.1 times at 20. */
+/* What the repair of spurious nodes and the return to the particles add (methods/wls/wls.h),
+ * largest over a run, relative to the largest sum m |v|: bounds a third above what is measured. The
+ * mass correction may add no more than twice what lumped mass does. bar has the largest ratio, 1.78
+ * at 40 cells (.82 at 20, .97 at 80): its front is sharper, and between steps 600 and 820, when the
+ * tip returns to the node at x = 1, m_i of that node differs most from the mass that particles give
+ * it. */
 static const struct {
     Case scene;
     double wls2, lumped, corrected;
 } drifts[] = {
-    {{1, "sine_bar", 16, 2, 0, NULL}, 2.1e-4, 1.7e-3, 1.7e-3},
-    {{1, "bar", 40, 2, 0, NULL}, 1e-2, 2.5e-3, 2.8e-3},
+    {{1, "sine_bar", 16, 2, 0, NULL}, 2.1e-4, 1.6e-3, 1.6e-3},
+    {{1, "bar", 40, 2, 0, NULL}, 1e-2, 2.5e-3, 4.4e-3},
     {{2, "axis_mms", 8, 4, 0, NULL}, 1.5e-2, 1.3e-2, 1.3e-2},
-    {{2, "ring", 8, 4, 0, NULL}, 3.5e-3, 2.8e-3, 4.4e-3},
-    {{2, "disk_impact", 12, 4, 0, NULL}, 2e-2, 2.8e-2, 3.9e-2},
-    {{2, "free_block", 12, 4, 0, NULL}, 1e-3, 1.2e-3, 1.5e-3},
+    {{2, "ring", 8, 4, 0, NULL}, 3.5e-3, 1.7e-3, 7.9e-4},
+    {{2, "disk_impact", 12, 4, 0, NULL}, 2e-2, 2.8e-2, 3e-2},
+    {{2, "free_block", 12, 4, 0, NULL}, 1e-3, 1.45e-3, 9.6e-4},
 };
 
 static void test_wls_momentum(void)

@@ -99,7 +99,7 @@ static const struct {
 static void check_pair(const char *method, Integrator i, int wanted)
 {
     const Case c = any_case(10, 0, 0);
-    const char *const words[] = {method, step_integrator_names[i], "allow_unstable=1",
+    const char *const words[] = {method, step_integrators[i].name, "allow_unstable=1",
                                  wanted == 2 ? "refresh=1" : NULL, NULL};
     Rig r;
     if (wanted == 1) CU_ASSERT(rig_plan(&r, &c, method, i, NULL));
@@ -134,6 +134,17 @@ static void test_defaults(void)
     CHECK_TEXT(spec.method, "gimp");
 }
 
+/* A scene with an exact motion says its formula and its scale, one without says neither. */
+static void test_formulas(void)
+{
+    for (const Problem *const *p = problems; *p; p++) {
+        CU_ASSERT(!(*p)->exact == !(*p)->info.formula);
+        CU_ASSERT(!(*p)->exact == !(*p)->info.scale);
+    }
+    for (const Info *const *m = method_infos; *m; m++)
+        CU_ASSERT((*m)->formula && *(*m)->formula && !(*m)->scale);
+}
+
 extern const TestCase rules_tests[];
 const TestCase rules_tests[] = {
     {"number of steps and dt", test_times},
@@ -142,5 +153,6 @@ const TestCase rules_tests[] = {
     {"particle counts that are refused", test_counts_refused},
     {"method x integrator pairs", test_pairs},
     {"defaults", test_defaults},
+    {"formulas", test_formulas},
     {NULL, NULL},
 };

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "studies/runs/engines.h"
 #include "studies/runs/run_args.h"
 #include "fuzz.h"
 

@@ -29,7 +29,7 @@ const Method method_rpic = {
     .integrator = {[1] = CD, [2] = CD, [3] = CD},
     .keeps_L = true,
     .affine = true,
-    .pic = true,
+    .pic = 1,
     .smooth = true,
     .width = gimp_width,
     .shape = gimp_shape,

@@ -97,7 +97,7 @@ static void test_gradients(void)
     for (int k = FIT_VALUE; k < FIT; k++) CHECK_CLOSE(fit[k][Q_RHO], plain[k][Q_RHO], 1e-13);
 }
 
-/* Sum of one lane times another field over all nodes. */
+/* Sum of one lane of M's products times another field over all nodes. */
 static double dot(const Sim *sim, int lane, const double *other)
 {
     const Grid *g = &sim->g;
@@ -105,7 +105,7 @@ static double dot(const Sim *sim, int lane, const double *other)
     for (int row = 0; row < g->rows; row++)
         for (int i = g->lo[row]; i < g->hi[row]; i++) {
             const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-            sum += wls_of(sim)->inertia[at][lane] * other[at];
+            sum += wls_of(sim)->inertia[at].product[lane] * other[at];
         }
     return sum;
 }
@@ -128,16 +128,17 @@ static void test_mass(void)
     for (int row = 0; row < g->rows; row++)
         for (int i = g->lo[row]; i < g->hi[row]; i++) {
             const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-            w->inertia[at] = (Line){0};
-            w->inertia[at][I_A] = x[at];
-            w->inertia[at][I_A + 1] = y[at];
+            w->inertia[at] = (Inertia){{0}, {0}, {0}};
+            w->inertia[at].factor[0] = x[at];
+            w->inertia[at].factor[1] = y[at];
+            w->inertia[at].factor[2] = 1;
             mass += g->node[at][0];
         }
     wls_mass_times(t.sim);
-    const double a = dot(t.sim, I_MA, y), b = dot(t.sim, I_MA + 1, x);
+    const double a = dot(t.sim, 0, y), b = dot(t.sim, 1, x);
     CHECK_CLOSE(a, b, 1e-14 * mass);
-    CHECK_CLOSE(dot(t.sim, I_MA, one), dot(t.sim, I_M, x), 1e-14 * mass);
-    CHECK_CLOSE(dot(t.sim, I_M, one), mass, 1e-13 * mass);
+    CHECK_CLOSE(dot(t.sim, 0, one), dot(t.sim, 2, x), 1e-14 * mass);
+    CHECK_CLOSE(dot(t.sim, 2, one), mass, 1e-13 * mass);
     CU_ASSERT(fabs(a) > 1e-6 * mass);
     free(x), free(y), free(one);
     trial_close(&t);
@@ -154,12 +155,12 @@ static void start_inertia(Sim *sim)
     }
     wls_assemble(sim, 0, true);
     for (size_t at = 0; at < n; at++) {
-        Line *in = &wls_of(sim)->inertia[at];
-        *in = (Line){0};
+        Inertia *in = &wls_of(sim)->inertia[at];
+        *in = (Inertia){{0}, {0}, {0}};
         for (int a = 0; a < DIM && g->node[at][0] > sim->mass_cut; a++) {
             double f = g->force[at * DIM + (size_t)a];
             for (int b = 0; b < DIM; b++) f += g->node[at][FLUX + b * DIM + a];
-            (*in)[I_A + a] = f / g->node[at][0];
+            in->factor[I_A + a] = f / g->node[at][0];
         }
     }
     wls_mass_times(sim);
@@ -172,9 +173,10 @@ static double held_back(const Sim *sim, double dt, double (*v)[DIM])
     const Grid *g = &sim->g;
     double most = 0;
     for (size_t at = 0; at < (size_t)g->rows * (size_t)g->n[0]; at++) {
-        const Line in = wls_of(sim)->inertia[at];
+        const Inertia in = wls_of(sim)->inertia[at];
         for (int a = 0; a < DIM; a++) {
-            const double lag = in[I_M] > 0 ? dt * (in[I_MA + a] / in[I_M] - in[I_A + a]) : 0;
+            const double mean = in.product[I_A + a] / in.row[I_SUM];
+            const double lag = in.row[I_SUM] > 0 ? dt * (mean - in.factor[I_A + a]) : 0;
             v[at][a] = wls_of(sim)->fit[at][FIT_VALUE][Q_V + a] + lag;
             most = fmax(most, fabs(lag));
         }
@@ -182,13 +184,16 @@ static double held_back(const Sim *sim, double dt, double (*v)[DIM])
     return most;
 }
 
-/* The velocity that carries particles is the uncorrected one, at every good node. */
+/* The velocity that carries particles is the uncorrected one, at every good node, if
+ * motion=lagged. */
 static void test_carried(void)
 {
     const double dt = 1e-4;
     Trial t;
     int sound = 0;
-    trial_open(&t, "ring", "ge_wls", 12, "sector=full,offset_x=.3,offset_y=.1", 1);
+    trial_open(&t, "ring", "ge_wls", 12,
+               "sector=full,offset_x=.3,offset_y=.1,motion=lagged,velocity=plain,average=weighted",
+               1);
     const Grid *g = &t.sim->g;
     double(*v)[DIM] = calloc((size_t)g->rows * (size_t)g->n[0], sizeof *v);
     start_inertia(t.sim);

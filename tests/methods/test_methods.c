@@ -86,8 +86,8 @@ static void test_turning(void)
 
 #define STILL "spin=0;drift=0;swing=0" /* no gradient either */
 
-/* What is left of them after three steps, inside. */
-static double ringing_left(const char *method, const char *set)
+/* What is left of them after three steps, inside; *pic: the share of v that the method replaces. */
+static double ringing_left(const char *method, const char *set, double *pic)
 {
     Rig r;
     double left = 0;
@@ -106,21 +106,29 @@ static double ringing_left(const char *method, const char *set)
         for (int a = 0; a < DIM && inside; a++)
             left = fmax(left, fabs(p->field[AT_V + a][k]) / 1e-6);
     }
+    *pic = sim->method.pic;
     sim_free(sim);
     return left;
 }
 
+/* Each step multiplies what S does not see by 1 - pic. (WLS, which sees it, may replace none.) */
 static void test_ringing(void)
 {
-    FOR_METHODS(m)
+    int blends = 0;
+    double pic = 0;
+    FOR_METHODS(m) for (int k = 0; k < VARIANTS; k++)
     {
-        const double left = ringing_left((*m)->info.name, STILL);
-        if ((*m)->pic) CU_ASSERT(left < 0.01);
-        if (!(*m)->pic && !(*m)->surface) CU_ASSERT(left > 0.9);
+        char set[VARIANT_TEXT];
+        if (!rig_variant(*m, k, STILL, set)) continue;
+        const double left = ringing_left((*m)->info.name, set, &pic), kept = pow(1 - pic, 3);
+        if (pic > 0 || !(*m)->surface) CHECK_CLOSE(left, kept, 0.1 * kept + 0.01);
+        CU_ASSERT(pic >= 0 && pic <= 1 && (!(*m)->filter || pic > 1 - 1e-15));
+        blends += pic > 0 && pic < 1;
     }
-    if (DIM > 2) return; /* that many rounds reach from the edges of this block to its middle */
-    CU_ASSERT(ringing_left("xpic", STILL ";order=5") < 0.01);
-    CU_ASSERT(ringing_left("fmpm", STILL ";order=5") < 0.01);
+    CU_ASSERT(blends >= 2);
+    if (DIM > 2) return; /* many rounds reach from the edges of this block to its middle */
+    CU_ASSERT(ringing_left("xpic", STILL ";order=5", &pic) < 0.01);
+    CU_ASSERT(ringing_left("fmpm", STILL ";order=5", &pic) < 0.01);
 }
 
 /* x sum_l c_l x^l = 1 - (1 - x)^k */
@@ -137,28 +145,52 @@ static void test_filter(void)
     }
 }
 
-/* What a filter leaves of a smooth swing: PIC (order 1) damps most, then less with each order. */
+/* The particles after ten steps of a smooth swing, and how many they are. */
+static double *swing(const char *method, const char *set, int *n)
+{
+    Rig r;
+    char all[64];
+    snprintf(all, sizeof all, "%s;spin=0;drift=0", set);
+    CU_ASSERT_FATAL(rig_plan(&r, &blocks[DIM - 1], method, CD, all));
+    Sim *sim = rig_sim(&r);
+    CU_ASSERT(rig_steps(&r, sim, 0, 10));
+    double *state = rig_state(sim);
+    *n = sim->p.count;
+    sim_free(sim);
+    return state;
+}
+
+/* What is left of it: PIC damps most, then less with each order of a filter or share of FLIP. */
 static void test_damping(void)
 {
-    const char *const names[] = {"xpic", "fmpm"};
-    for (int m = 0; m < 2; m++) {
+    static const char *const orders[] = {"order=1", "order=3", "order=5", NULL};
+    static const char *const shares[] = {"alpha=0", "alpha=0.5", "alpha=0.99", "alpha=1", NULL};
+    const struct {
+        const char *method, *const *set;
+    } ladder[] = {{"xpic", orders}, {"fmpm", orders}, {"flip_pic", shares}};
+    for (int m = 0; m < COUNT(ladder); m++) {
         double last = -1;
-        for (int order = 1; order <= 5; order += 2) {
-            Rig r;
-            char set[64];
-            snprintf(set, sizeof set, "order=%d;spin=0;drift=0", order);
-            CU_ASSERT_FATAL(rig_plan(&r, &blocks[DIM - 1], names[m], CD, set));
-            Sim *sim = rig_sim(&r);
-            CU_ASSERT(rig_steps(&r, sim, 0, 10));
-            double *state = rig_state(sim), energy = 0;
-            const int n = sim->p.count;
-            for (int k = 0; k < DIM * n; k++) energy += state[AT_V * n + k] * state[AT_V * n + k];
+        for (const char *const *set = ladder[m].set; *set; set++) {
+            int n;
+            double *state = swing(ladder[m].method, *set, &n), energy = 0;
+            for (int k = 0; k < DIM * n; k++) energy += pow(state[AT_V * n + k], 2);
             CU_ASSERT(energy > last);
             last = energy;
             free(state);
-            sim_free(sim);
         }
     }
+}
+
+/* The ends of the blend: FLIP to the last bit, and PIC, which FMPM of order 1 is. */
+static void test_blend(void)
+{
+    int n;
+    double *flip = swing("flip_pic", "alpha=1", &n), *gimp = swing("gimp", "spin=0", &n);
+    double *pic = swing("flip_pic", "alpha=0", &n), *fmpm = swing("fmpm", "order=1", &n);
+    CU_ASSERT(memcmp(flip, gimp, sizeof *flip * (size_t)(FIELDS * n)) == 0);
+    CU_ASSERT(rig_distance(fmpm, pic, n, false) < 1e-13);
+    CU_ASSERT(rig_distance(flip, pic, n, false) > 1e-3);
+    free(flip), free(gimp), free(pic), free(fmpm);
 }
 
 /* ---- folded weights: sum S = 1, sum S x_i = x, sum G = 0, sum G x_i = 1 up to walls, past them,
@@ -238,9 +270,10 @@ extern const TestCase methods_tests[];
 const TestCase methods_tests[] = {
     {"a uniform velocity, every variant", test_constant},
     {"angular momentum where declared", test_turning},
-    {"what rings: PIC kills it, FLIP keeps it", test_ringing},
+    {"what rings: each step leaves 1 - pic of it", test_ringing},
     {"filter of order k", test_filter},
-    {"higher orders damp less", test_damping},
+    {"higher orders and more FLIP damp less", test_damping},
+    {"FLIP/PIC at its ends is FLIP and PIC", test_blend},
     {"folded weights reproduce linear fields up to the wall", test_folded},
     {"and so do the core's", test_wall_field},
     {NULL, NULL},

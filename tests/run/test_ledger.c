@@ -62,7 +62,7 @@ static void test_work(void)
     static const char *const valid[] = {"mpm", "gimp", "bspline", "apic", "xpic", "wls2", "fem"};
     for (int k = 0; k < COUNT(falls); k++)
         for (int m = 0; m < COUNT(valid) && falls[k].scene.dim == DIM; m++)
-            FOR_INTEGRATORS(i) check_fall(k, valid[m], step_integrator_names[i]);
+            FOR_INTEGRATORS(i) check_fall(k, valid[m], step_integrators[i].name);
 }
 
 /* Starts from rest, or nearly, under a force at once or one that rises from nothing: what steps of
@@ -80,7 +80,7 @@ static void test_starts(void)
     for (int k = 0; k < COUNT(starts); k++) FOR_INTEGRATORS(i)
     for (int m = 0; m < 3 && starts[k].dim == DIM; m++) {
         RunSpec spec = rig_spec(&starts[k], (const char *[]){"gimp", "apic", "fem"}[m],
-                                step_integrator_names[i], "stop_growth=1;steps=30");
+                                step_integrators[i].name, "stop_growth=1;steps=30");
         Row row;
         if (!run(&spec, &row)) continue;
         CHECK_TEXT(row.status, "ok");

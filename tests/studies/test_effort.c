@@ -2,8 +2,9 @@
  * fronts, and the cost to reach an error. */
 #include <stdio.h>
 #include <sys/stat.h>
-#include "studies/tables/effort_points.h"
-#include "studies/tables/curves.h"
+#include <math.h>
+#include "studies/engine/results.h"
+#include "studies/tables/effort.h"
 #include "tests/check.h"
 
 static const char dir[] = "scratch/effort";
@@ -28,11 +29,13 @@ static Effort point(const char *method, double cells, double p)
 static Table *reach(const Effort *list, int n)
 {
     Effort own[12];
-    Fault fault = {0};
     mkdir("scratch", 0777), mkdir(dir, 0777);
     for (int k = 0; k < n; k++) own[k] = list[k];
-    CU_ASSERT_FATAL(effort_reach_write(&(Efforts){n, own}, "scratch/effort/e.reach.csv", &fault) ==
-                    0);
+    FILE *f = fopen("scratch/effort/e.reach.csv", "w");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    fputs("problem,target,method,how,seconds,work,instructions,cells,integrator,layout,ppc\n", f);
+    effort_reach_write(f, &(Efforts){n, own});
+    fclose(f);
     Table *t = table_read_part(dir, "e", "reach", NULL);
     CU_ASSERT_PTR_NOT_NULL_FATAL(t);
     return t;
@@ -87,6 +90,13 @@ static void test_reach_ends(void)
     table_free(t);
 }
 
+static void thrice(const Results *r)
+{
+    effort_tables(r, 3);
+}
+
+static const Study page = {.name = "e", .tables = thrice};
+
 /* Three repeats of three cases: the cheapest counts, the median stands beside it. Case 2 costs more
  * and errs more than case 1. */
 static void test_points(void)
@@ -106,9 +116,7 @@ static void test_points(void)
         fprintf(f, "ring,%s,cd,cartesian,ok,4,%d,%g,,%d,10,%g\n", cases[k % 3].method, 8 << k % 3,
                 cases[k % 3].error, 100, cases[k % 3].cpu[k / 3]);
     fclose(f);
-    Table *rows = table_read("scratch/effort/e.csv", NULL);
-    CU_ASSERT_PTR_NOT_NULL_FATAL(rows);
-    CU_ASSERT_FATAL(effort_tables(rows, 3, dir, "e", NULL) == 0);
+    CU_ASSERT_FATAL(results_tables(&page, dir, false, NULL) == 0);
     Table *t = table_read_part(dir, "e", "points", NULL);
     CU_ASSERT_PTR_NOT_NULL_FATAL(t);
     CU_ASSERT_FATAL(t->nrow == 3);
@@ -120,7 +128,7 @@ static void test_points(void)
         CHECK_CLOSE(table_number(t, k, "front"), front[k], 0);
         CHECK_CLOSE(table_number(t, k, "front_own"), 1, 0);
     }
-    table_free(t), table_free(rows);
+    table_free(t);
 }
 
 extern const TestCase effort_tests[];

@@ -7,7 +7,9 @@
 #include <unistd.h>
 #include "studies/engine/cases.h"
 #include "studies/engine/claims.h"
+#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
+#include "studies/w07/squeeze.h"
 #include "studies/engine/sidecar.h"
 #include "studies/engine/run_study.h"
 #include "tests/check.h"
@@ -16,19 +18,18 @@ static const char dir[] = "scratch/study";
 
 static void cases(Cases *list, bool quick)
 {
-    case_add_with(list, "history", "tiny.history.csv", "run bar --cells 8 --set steps=%d", 3);
+    case_add_with(list, "history", "history", "run bar --cells 8 --set steps=%d", 3);
     case_add(list, "run bar --cells 8 --set steps=3");
     case_add(list, "run bar --cells 8 --set steps=3 --method mpm");
     if (!quick) case_add(list, "run bar --cells 16 --set steps=3 --threads=1");
 }
 
-static void check(Check *c, const Table *rows, const char *folder)
+static void check(Check *c, const Results *r)
 {
-    const char *const where[] = {"cells=8", "method=gimp"};
     double steps[4];
-    CHECK_TEXT(folder, dir);
+    CHECK_TEXT(r->dir, dir);
     claim(c, "T.rows", "a repeated case is a row each time",
-          measure(select_rows(rows, 2, where, "steps", 4, steps), 2, 2), 2, 2);
+          measure(select_all(r->rows, "steps", 4, steps, "cells=8 method=%s", "gimp"), 2, 2), 2, 2);
     claim(c, "T.fails", "out of bounds", measure(3, 1, 1), 0, 2);
     claim(c, "T.nan", "not there", measure(NAN, 1, 1), -INFINITY, INFINITY);
     claim_differs(c, "T.holds", "holds", measure(1, 3, 2), 0, 2, 5, 6, "reason");
@@ -137,7 +138,7 @@ static void wrong_run(Cases *list, bool quick)
 static void wrong_kind(Cases *list, bool quick)
 {
     (void)quick;
-    case_add_with(list, "histories", "x.csv", "run bar");
+    case_add_with(list, "histories", "x", "run bar");
 }
 
 static void test_wrong_pages(void)
@@ -191,22 +192,23 @@ static void test_curves(void)
 static void test_measures(void)
 {
     for (int bad = 0; bad < 3; bad++) {
-        Measure most = largest_of(3), low = least_of(3), all = sum_of(3);
+        Measure most = measure_max_of(3), low = measure_min_of(3), all = measure_sum_of(3);
         for (int k = 0; k < 3; k++) {
-            add_largest(&most, k == bad ? (double)NAN : k);
-            add_least(&low, k == bad ? (double)NAN : k);
-            add_sum(&all, k == bad ? (double)NAN : k);
+            measure_add_max(&most, k == bad ? (double)NAN : k);
+            measure_add_min(&low, k == bad ? (double)NAN : k);
+            measure_add(&all, k == bad ? (double)NAN : k);
         }
         CU_ASSERT(isnan(most.value) && isnan(low.value) && isnan(all.value));
         CU_ASSERT(most.rows == 2 && low.rows == 2 && all.rows == 2 && most.needs == 3);
     }
-    CHECK_CLOSE(worse(1, 2), 2, 0);
-    CHECK_CLOSE(lesser(1, 2), 1, 0);
-    CU_ASSERT(isnan(worse(NAN, 1)) && isnan(worse(1, NAN)) && isnan(lesser(NAN, 1)));
-    const Measure many = measure(6, 9, 2), few = measure(3, 1, 2), ratio = over(many, few);
+    CHECK_CLOSE(measure_worse(1, 2), 2, 0);
+    CHECK_CLOSE(measure_lesser(1, 2), 1, 0);
+    CU_ASSERT(isnan(measure_worse(NAN, 1)) && isnan(measure_worse(1, NAN)) &&
+              isnan(measure_lesser(NAN, 1)));
+    const Measure many = measure(6, 9, 2), few = measure(3, 1, 2), ratio = measure_ratio(many, few);
     CHECK_CLOSE(ratio.value, 2, 0);
     CU_ASSERT(ratio.rows == 3 && ratio.needs == 4); /* too many here are no help there */
-    CU_ASSERT(sum(many, many).rows == 18 && closed_form(1).needs == 0);
+    CU_ASSERT(measure_sum(many, many).rows == 18 && measure_formula(1).needs == 0);
 }
 
 /* An order is over all meshes that it names, or none. */
@@ -222,10 +224,9 @@ static void test_orders(void)
     CU_ASSERT(isnan(curve_order(&c, 1, 8, 4).value));
 }
 
-static void one_claim(Check *c, const Table *rows, const char *folder)
+static void one_claim(Check *c, const Results *r)
 {
-    (void)rows;
-    table_free(claim_part(c, folder, "absent"));
+    CU_ASSERT(results_part(r, "absent")->nrow == 0);
     claim(c, "T.one", "stands on nothing of the sort", measure(1, 1, 1), 0, 2);
 }
 
@@ -248,9 +249,9 @@ static void test_declared(void)
 static void test_median(void)
 {
     double odd[] = {5, 1, 3}, even[] = {4, 1, 3, 2};
-    CHECK_CLOSE(select_median(3, odd), 3, 0);
-    CHECK_CLOSE(select_median(4, even), 2.5, 0);
-    CU_ASSERT(isnan(select_median(0, odd)));
+    CHECK_CLOSE(measure_median(3, odd), 3, 0);
+    CHECK_CLOSE(measure_median(4, even), 2.5, 0);
+    CU_ASSERT(isnan(measure_median(0, odd)));
 }
 
 static void test_lost(void)
@@ -279,7 +280,7 @@ static void test_squeezes(void)
     }
     cases_free(&list);
     CU_ASSERT(study_case_count(&page, true) == 2);
-    CU_ASSERT(method_known("gimp") && method_known("fem") && !method_known("gmp"));
+    CU_ASSERT(engine_method("gimp") && engine_method("fem") && !engine_method("gmp"));
 }
 
 const TestCase study_tests[] = {

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "studies/engine/claims.h"
+#include "studies/engine/results.h"
 #include "tests/check.h"
 #include "trial.h"
 
@@ -98,7 +99,7 @@ static Check judge(const Trial *t, bool again)
 {
     Check c = {0};
     Fault fault = {0};
-    if (again && t->study->tables) t->study->tables(dir, false, &fault);
+    if (again && t->study->tables) results_tables(t->study, dir, false, &fault);
     if (claims_judge_study(&c, t->study, dir, &fault)) {
         printf("%s: %s\n", t->study->name, fault.text);
         CU_FAIL("claims are not made");
@@ -138,7 +139,7 @@ static void expect_none(Check *check, const char *what, const char *const may[])
 static void check_empty(Trial *t)
 {
     make(t);
-    if (t->study->tables) t->study->tables(dir, false, NULL);
+    if (t->study->tables) results_tables(t->study, dir, false, NULL);
     trial_empty(dir);
     Check c = judge(t, false);
     for (int k = 0; k < c.n; k++) {

@@ -164,16 +164,17 @@ static void deform(TwinParticle *p, double dt, double L[DIM][DIM])
             for (int k = 0; k < DIM; k++) p->F[a][b] += dt * L[a][k] * old[k][b];
 }
 
-/* FLIP: v += dt a; PIC: v = S v, or what a filter left of the particle's own (textbook_filter.c).
- */
+/* FLIP: v += dt a; PIC: v = S v, or what a filter left of the particle's own (textbook_filter.c);
+ * or a part of each. */
 static void take_velocity(const Twin *w, TwinParticle *p, double dt, const double v[],
                           const double a[])
 {
-    for (int d = 0; d < DIM; d++)
-        if (!w->method.pic)
-            p->v[d] += dt * a[d];
-        else
-            p->v[d] = w->method.filter == TWIN_PARTICLES ? p->v[d] - p->w[d] + dt * a[d] : v[d];
+    const double pic = w->method.pic;
+    for (int d = 0; d < DIM; d++) {
+        const double flip = p->v[d] + dt * a[d];
+        const double own = w->method.filter == TWIN_PARTICLES ? flip - p->w[d] : v[d];
+        p->v[d] = (1 - pic) * flip + pic * own;
+    }
 }
 
 static void gather_one(const Twin *w, TwinParticle *p, double dt, Take take)
@@ -198,7 +199,7 @@ static void gather_one(const Twin *w, TwinParticle *p, double dt, Take take)
         if (take.x) p->x[d] += dt * v[d];
         if (take.later) p->u[d] = dt * v[d];
     }
-    if (m->pic ? take.v : take.L || take.F) memcpy(p->L, m->moments ? B : L, sizeof L);
+    if (m->pic > 0 ? take.v : take.L || take.F) memcpy(p->L, m->moments ? B : L, sizeof L);
     if (take.F) deform(p, dt, L);
 }
 

@@ -33,7 +33,7 @@ typedef struct TwinMethod {
     const char *name;
     TwinShape shape;
     bool gradient; /* gradient-enhanced projection (W07 section 4) */
-    bool pic;      /* v = S v, else v += dt S a; a gradient is taken with it */
+    double pic;    /* share of S v in v, the rest is v + dt S a; a gradient is taken with it */
     bool moments;  /* keeps sum_i S v (x_i - x)^T in the place of L (APIC) */
     TwinFilter filter;
     double least; /* a node with less than this part of a particle's mass is empty */

@@ -17,10 +17,11 @@ static const TwinMethod known[] = {
     {.name = "ge_mpm", .shape = TWIN_TENT, .gradient = true, .least = TENT_LEAST},
     {.name = "ge_gimp", .shape = TWIN_BOX, .gradient = true, .least = 1e-24},
     {.name = "bspline", .shape = TWIN_SPLINE, .least = 1e-24},
-    {.name = "apic", .gradient = true, .pic = true, .moments = true, .least = 1e-24},
-    {.name = "tpic", .gradient = true, .pic = true, .least = 1e-24},
-    {.name = "xpic", .pic = true, .filter = TWIN_PARTICLES, .least = 1e-24},
-    {.name = "fmpm", .pic = true, .filter = TWIN_NODES, .least = 1e-24}};
+    {.name = "apic", .gradient = true, .pic = 1, .moments = true, .least = 1e-24},
+    {.name = "tpic", .gradient = true, .pic = 1, .least = 1e-24},
+    {.name = "xpic", .pic = 1, .filter = TWIN_PARTICLES, .least = 1e-24},
+    {.name = "fmpm", .pic = 1, .filter = TWIN_NODES, .least = 1e-24},
+    {.name = "flip_pic", .shape = TWIN_BOX, .least = 1e-24}};
 
 static void make_grid(Twin *w)
 {
@@ -82,11 +83,11 @@ static void place_one(Twin *w, const Layout *layout, int k)
 }
 
 /* Value of a method's parameter; `other` if it has none such. */
-static int choice(const Setup *setup, const char *name, int other)
+static double value_of(const Setup *setup, const char *name, double other)
 {
     const Param *own = setup->method->info.params;
     for (int k = 0; own && own[k].name; k++)
-        if (strcmp(own[k].name, name) == 0) return (int)setup->method_par[k];
+        if (strcmp(own[k].name, name) == 0) return setup->method_par[k];
     return other;
 }
 
@@ -98,9 +99,10 @@ static bool choose(Twin *w, const Setup *setup)
     while (k < sizeof known / sizeof *known && strcmp(known[k].name, name)) k++;
     if (k == sizeof known / sizeof *known) return false;
     *w = (Twin){.setup = setup, .method = known[k], .h = 1.0 / setup->cells};
-    const int spline_or_box = choice(setup, "shape", -1);
+    const int spline_or_box = (int)value_of(setup, "shape", -1);
     if (spline_or_box >= 0) w->method.shape = spline_or_box ? TWIN_BOX : TWIN_SPLINE;
-    w->order = 1 + choice(setup, "order", 0);
+    w->method.pic = 1 - value_of(setup, "alpha", 1 - w->method.pic);
+    w->order = 1 + (int)value_of(setup, "order", 0);
     return true;
 }
 

@@ -1,6 +1,6 @@
-/* memory.h: memory that the command line needs to go on at all: there, or one line and exit 1. */
-#ifndef MPMLAB_MEMORY_H
-#define MPMLAB_MEMORY_H
+/* must.h: memory that the command line needs to go on at all: there, or one line and exit 1. */
+#ifndef MPMLAB_MUST_H
+#define MPMLAB_MUST_H
 
 #include <stddef.h>
 

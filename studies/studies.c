@@ -1,4 +1,4 @@
-/* registry.c: the list of all studies, from studies.def. */
+/* studies.c: the list of all studies, from studies.def. */
 #include "study.h"
 
 #define STUDY(room, name) extern const Study study_##name;

@@ -1,6 +1,6 @@
-/* memory.c: allocation that need not be checked by its callers. */
+/* must.c: allocation that need not be checked by its callers. */
 #define _GNU_SOURCE /* vasprintf */
-#include "memory.h"
+#include "must.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,0 +1,226 @@
+/* results.c: see results.h. Tables that a page writes are kept in memory until it has written all
+ * of them, so that a page that fails leaves none. */
+#include "results.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <stdarg.h>
+#include "cases.h"
+#include "studies/runs/must.h"
+#include "studies/select.h"
+
+/* A file that the page writes, or a table that it has read. */
+typedef struct Part {
+    struct Part *next;
+    char *path, *text;
+    size_t size;
+    FILE *f; /* NULL: written */
+    Table *table;
+} Part;
+
+struct ResultsOwn {
+    Part *parts;
+    Table *rows;
+    Cases cases;
+    int *row; /* [cases.n] the case's row, or -1; NULL: not matched yet */
+    char missing[192];
+    Fault fault; /* the first */
+};
+
+static Table *no_table(void)
+{
+    return must(calloc(1, sizeof(Table)));
+}
+
+Results *results_open(const Study *study, const char *dir, bool quick)
+{
+    Results *r = must(calloc(1, sizeof *r));
+    r->own = must(calloc(1, sizeof *r->own));
+    Table *rows = table_read_part(dir, study->name, NULL, &r->own->fault);
+    r->own->rows = rows ? rows : no_table();
+    *r = (Results){study, dir, quick, r->own->rows, r->own};
+    select_begin(study->name);
+    return r;
+}
+
+/* ---- Tables of the page */
+
+static Part *add_part(const Results *r, char *path)
+{
+    Part *p = must(calloc(1, sizeof *p));
+    p->path = path;
+    p->next = r->own->parts;
+    r->own->parts = p;
+    return p;
+}
+
+static char *path_of(const Results *r, const char *part, const char *ending)
+{
+    return must_text("%s/%s%s%s.%s", r->dir, r->study->name, *part ? "." : "", part, ending);
+}
+
+FILE *results_write(const Results *r, const char *part, const char *header)
+{
+    Part *p = add_part(r, path_of(r, part, "csv"));
+    p->f = must(open_memstream(&p->text, &p->size));
+    fprintf(p->f, "%s\n", header);
+    return p->f;
+}
+
+FILE *results_write_notes(const Results *r)
+{
+    Part *p = add_part(r, path_of(r, "", "var"));
+    return p->f = must(open_memstream(&p->text, &p->size));
+}
+
+/* Puts the file on disk, unless something has failed before. */
+static void commit(Part *p, Fault *fault)
+{
+    if (!p->f) return;
+    must(fclose(p->f) ? NULL : p);
+    p->f = NULL;
+    FILE *f = fault->code ? NULL : file_begin(p->path, fault);
+    if (f) fwrite(p->text, 1, p->size, f);
+    if (f) file_commit(f, p->path, fault);
+}
+
+const Table *results_part(const Results *r, const char *part)
+{
+    char *path = path_of(r, part, "csv");
+    Part *p = r->own->parts;
+    while (p && strcmp(p->path, path) != 0) p = p->next;
+    if (p)
+        free(path);
+    else
+        p = add_part(r, path);
+    if (p->table) return p->table;
+    commit(p, &r->own->fault);
+    p->table = table_read(p->path, NULL);
+    if (!p->table)
+        snprintf(r->own->missing, sizeof r->own->missing, "%s.%s.csv", r->study->name, part);
+    return p->table ? p->table : (p->table = no_table());
+}
+
+const char *results_missing(const Results *r)
+{
+    return r->own->missing;
+}
+
+int results_close(Results *r, Fault *fault)
+{
+    struct ResultsOwn *own = r->own;
+    for (Part *p = own->parts, *next; p; p = next) {
+        commit(p, &own->fault);
+        next = p->next;
+        table_free(p->table);
+        free(p->text);
+        free(p->path);
+        free(p);
+    }
+    const int code = own->fault.code;
+    if (code) fault_set(fault, code, "%s", own->fault.text);
+    cases_free(&own->cases);
+    table_free(own->rows);
+    free(own->row);
+    free(own);
+    free(r);
+    return code;
+}
+
+int results_tables(const Study *study, const char *dir, bool quick, Fault *fault)
+{
+    Results *r = results_open(study, dir, quick);
+    if (!study->cases) r->own->fault.code = 0;
+    if (r->own->fault.code == 0) study->tables(r);
+    if (r->own->fault.code == 0 && r->own->missing[0])
+        fault_set(&r->own->fault, FAULT_MACHINE, "%s/%s: no table", dir, r->own->missing);
+    return results_close(r, fault);
+}
+
+/* ---- Files of runs */
+
+/* Is every setting of the case in the row's params, as they are spelled there? */
+static bool has_settings(const char *params, const RunSpec *spec)
+{
+    for (int k = 0; k < spec->nset; k++) {
+        char text[80];
+        const int n = snprintf(text, sizeof text, "%s=%s", spec->set[k].name, spec->set[k].value);
+        if (strcmp(spec->set[k].name, "layout") == 0) continue;
+        if (strncmp(params, text, (size_t)n) != 0 || (params[n] && params[n] != ';')) return false;
+        params += n + (params[n] == ';');
+    }
+    return !*params;
+}
+
+static bool is_near(double a, double b)
+{
+    return fabs(a - b) <= 1e-9 * fabs(b);
+}
+
+/* Body-fitted particles are not quite as many as asked for. */
+static bool is_row_of(const Table *rows, int row, const Case *c)
+{
+    const double t_end = select_number(rows, row, "t_end");
+    return select_is(rows, row, "problem", c->spec.problem) &&
+           select_is(rows, row, "method", c->spec.method) &&
+           is_near(select_number(rows, row, "cells"), c->spec.cells) &&
+           (c->engine->dim > 1 || is_near(select_number(rows, row, "ppc"), c->spec.ppc)) &&
+           (t_end <= 0 || is_near(t_end, c->spec.t_end)) &&
+           has_settings(select_text(rows, row, "params"), &c->spec);
+}
+
+/* Rows stand in the order of cases; those of methods that were not asked for are left out. Returns
+ * how many rows found their case. */
+static int match(struct ResultsOwn *own)
+{
+    const Table *rows = own->rows;
+    int row = 0;
+    own->row = must(malloc(sizeof *own->row * ((size_t)own->cases.n + 1)));
+    for (int k = 0; k < own->cases.n; k++)
+        own->row[k] = row < rows->nrow && is_row_of(rows, row, &own->cases.list[k]) ? row++ : -1;
+    return row;
+}
+
+/* Which of both lists of cases the rows are of. */
+static void find_cases(const Results *r)
+{
+    struct ResultsOwn *own = r->own;
+    for (int quick = 0; quick < 2; quick++) {
+        cases_build(&own->cases, r->study, quick, NULL, r->dir, NULL);
+        if (match(own) >= own->rows->nrow || r->study->refine || quick) return;
+        cases_free(&own->cases);
+        free(own->row);
+    }
+}
+
+const char *results_status(const Results *r, const char *part)
+{
+    char *path = path_of(r, part, "csv");
+    const char *status = "absent";
+    if (!r->own->row) find_cases(r);
+    for (int k = 0; k < r->own->cases.n; k++) {
+        const char *file = r->own->cases.list[k].file;
+        if (!file || strcmp(file, path) != 0) continue;
+        const int row = r->own->row[k];
+        status = row < 0 ? "absent" : select_is_lost(r->rows, row) ? "lost" : "ok";
+        if (status[0] != 'o') break;
+    }
+    free(path);
+    return status;
+}
+
+Table *results_left(const Results *r, const char *part)
+{
+    return table_read_part(r->dir, r->study->name, part, NULL);
+}
+
+Table *results_file(const Results *r, const char *part)
+{
+    return results_status(r, part)[0] == 'o' ? results_left(r, part) : NULL;
+}
+
+char *results_path(const Results *r, const char *part)
+{
+    return results_status(r, part)[0] == 'o' ? path_of(r, part, "csv") : NULL;
+}

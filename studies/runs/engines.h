@@ -1,0 +1,29 @@
+/* engines.h: what the dimensions of this program know, by name. */
+#ifndef MPMLAB_ENGINES_H
+#define MPMLAB_ENGINES_H
+
+#include <stdbool.h>
+#include "common/run/engine.h"
+
+/* The names that any engine knows, each once; at most max. How many. */
+int engine_problem_names(const char *names[], int max);
+int engine_method_names(const char *names[], int max);
+
+/* Takes the name of a problem, or of a method, or refuses it with the nearest one. */
+int engine_check_problem(const char *name, Fault *fault);
+int engine_check_method(const char *option, const char *name, Fault *fault);
+
+/* What the first engine that has it says of a problem or a method; NULL: none has it. */
+const Info *engine_problem(const char *name);
+const Info *engine_method(const char *name);
+
+/* Does the engine know this problem? */
+bool engine_has_problem(const Engine *engine, const char *name);
+
+/* Does this method have a grid (and particles)? FEM has none. */
+bool engine_has_grid(const Engine *engine, const char *method);
+
+/* Does the method or problem take a parameter of this name? */
+bool engine_takes(const Info *info, const char *param);
+
+#endif
