@@ -49,8 +49,10 @@ static void cases(Cases *list, bool quick)
 /* Errors on the shell; body: of FEM, else "". */
 static void shell_errors(Curve *c, const Table *t, const char *method, const char *body)
 {
-    curve_pick(c, t, "cells", "error_linf", "problem=shell method=%s%s%s", method,
-               *body ? " body=" : "", body);
+    if (*body)
+        curve_pick(c, t, "cells", "error_linf", "problem=shell method=%s body=%s", method, body);
+    else
+        curve_pick(c, t, "cells", "error_linf", "problem=shell method=%s", method);
 }
 
 static Measure error_at(const Table *t, const char *method, const char *body, double n)

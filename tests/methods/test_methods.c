@@ -126,7 +126,7 @@ static void test_ringing(void)
         blends += pic > 0 && pic < 1;
     }
     CU_ASSERT(blends >= 2);
-    if (DIM > 2) return; /* that many rounds reach from the edges of this block to its middle */
+    if (DIM > 2) return; /* many rounds reach from the edges of this block to its middle */
     CU_ASSERT(ringing_left("xpic", STILL ";order=5", &pic) < 0.01);
     CU_ASSERT(ringing_left("fmpm", STILL ";order=5", &pic) < 0.01);
 }
