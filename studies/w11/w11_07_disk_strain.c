@@ -1,4 +1,4 @@
-/* w11_07_disk_strain.c: strain energy per volume of the disk at three times, by WLS2 and by GIMP.
+/* w11_07_disk_strain.c: strain energy per volume of the disk at three times, by WLS and by GIMP.
  * Wallstedt and Guilkey (2011), fig. 7.
  *
  * t = 0: free flight. t = 2: after the first impact, on the floor at t ~ .5, the disk vibrates. t =
@@ -8,7 +8,7 @@
 #include "studies/tables/curves.h"
 
 static const char name[] = "w11_07_disk_strain";
-static const char *const methods[] = {"wls2", "gimp"};
+static const char *const methods[] = {"wls", "gimp"};
 static const struct {
     const char *time, *t_end;
 } shown[] = {{"0", "1e-9"}, {"2", "2"}, {"3", "3"}}; /* one step of 1 ns shows the start */
@@ -52,9 +52,8 @@ static Look look(const Results *r, const char *method, const char *time)
 
 static void check(Check *c, const Results *r)
 {
-    const Look start = look(r, "wls2", "0"), later = look(r, "wls2", "2"),
-               last = look(r, "wls2", "3");
-    claim(c, "W11-7.flight", "WLS2: strain energy at t = 0 over that at t = 3",
+    const Look start = look(r, "wls", "0"), later = look(r, "wls", "2"), last = look(r, "wls", "3");
+    claim(c, "W11-7.flight", "WLS: strain energy at t = 0 over that at t = 3",
           measure_ratio(start.energy, last.energy), 0, 1e-12);
     claim(c, "W11-7.vibration",
           "at t = 2, between two impacts, little of it is left: strain energy over that at t = 3",
@@ -64,7 +63,7 @@ static void check(Check *c, const Results *r)
           last.right, 0.98, 1.001);
     claim(c, "W11-7.turning",
           "at t = 3 the disk is being thrown back: mean vx over that at the start",
-          measure_ratio(last.vx, start.vx), -1, 0.5);
+          measure_ratio(last.vx, start.vx), -0.6, -0.1);
 }
 
 const Study study_w11_07_disk_strain = {
