@@ -125,7 +125,7 @@ $(BUILD)/tests/%.o: tests/%.c Makefile
 
 $(BUILD)/tests/fuzz/test_fuzz_corpus.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/fuzz/found"'
 $(BUILD)/d2/tests/core/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/peers"'
-$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,base/test_tools base/test_files studies/test_study studies/test_select studies/test_trial studies/trial studies/test_effort run/test_space fuzz/test_fuzz_corpus check) \
+$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,base/test_tools base/test_files studies/test_study studies/test_select studies/test_trial studies/trial studies/test_effort studies/test_statements run/test_space fuzz/test_fuzz_corpus check) \
   $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 

@@ -59,17 +59,35 @@ static int by_angle(const void *a, const void *b)
     return (x->angle > y->angle) - (x->angle < y->angle);
 }
 
-Rim hole_read(const Table *t, int cells, const HoleReference *r)
+/* Mean of the column over the `members` rows from k on. */
+static double mean_of(const Table *t, int k, int members, const char *column)
+{
+    double sum = 0;
+    for (int i = k; i < k + members; i++) sum += select_number(t, i, column);
+    return sum / members;
+}
+
+static bool is_near(const Table *t, int k, int members, int cells)
+{
+    for (int i = k; i < k + members; i++)
+        if (hypot(select_number(t, i, "X"), select_number(t, i, "Y")) - radius <=
+            0.35 / cells + 1e-12)
+            return true;
+    return false;
+}
+
+Rim hole_read(const Table *t, int cells, const HoleReference *r, bool quads)
 {
     Rim rim = {0};
+    const int members = quads ? 2 : 1;
     Point *p = must(malloc(sizeof *p * ((size_t)t->nrow + 1)));
-    for (int k = 0; k < t->nrow; k++) {
-        const double X = select_number(t, k, "X"), Y = select_number(t, k, "Y");
+    for (int k = 0; k + members <= t->nrow; k += members) {
+        const double X = mean_of(t, k, members, "X"), Y = mean_of(t, k, members, "Y");
         if (select_number(t, k, "surface") > 0) continue;
         rim.moved = measure_worse(
-            rim.moved, hypot(select_number(t, k, "x") - X, select_number(t, k, "y") - Y));
-        if (hypot(X, Y) - radius > 0.35 / cells + 1e-12) continue;
-        p[rim.n++] = (Point){atan2(Y, X) * 180 / M_PI, 1e-9 * select_number(t, k, "von_mises"),
+            rim.moved, hypot(mean_of(t, k, members, "x") - X, mean_of(t, k, members, "y") - Y));
+        if (!is_near(t, k, members, cells)) continue;
+        p[rim.n++] = (Point){atan2(Y, X) * 180 / M_PI, 1e-9 * mean_of(t, k, members, "von_mises"),
                              hole_reference_at(r, X, Y)};
     }
     qsort(p, (size_t)rim.n, sizeof *p, by_angle);
@@ -120,7 +138,7 @@ void hole_measure(const Table *reference, int fine, const Table *run, int cells,
 {
     HoleReference r;
     if (!run || hole_reference_read(&r, reference, fine)) return;
-    Rim rim = hole_read(run, cells, &r);
+    Rim rim = hole_read(run, cells, &r, false);
     *rms = measure(hole_rms(&rim), rim.n, rms->needs);
     *scatter = measure(hole_scatter(&rim), rim.n, scatter->needs);
     hole_free(&rim);

@@ -28,8 +28,10 @@ typedef struct Rim {
     double moved; /* [m] largest displacement of any point of the file */
 } Rim;
 
-/* From a file of particles or samples, h = 1/cells. */
-Rim hole_read(const Table *points, int cells, const HoleReference *r);
+/* From a file of particles or samples, h = 1/cells. quads: the samples of FEM, of which two in a
+ * row make a quad; they are averaged as in the reference, at the quad's middle, if one of them is
+ * near enough. */
+Rim hole_read(const Table *points, int cells, const HoleReference *r, bool quads);
 void hole_free(Rim *rim);
 
 double hole_rms(const Rim *rim);     /* of stress less reference */

@@ -107,6 +107,32 @@ static double worst_departure(int *masks)
     return worst;
 }
 
+/* A straight boundary passes through the cell: largest change of the area inside per length that it
+ * moves, which is its own length in the cell, at most sqrt(2). */
+static double fastest_change(void)
+{
+    enum { ANGLES = 90, STEPS = 2000 };
+    const double step = 3.0 / STEPS;
+    double most = 0;
+    for (int a = 0; a < ANGLES; a++) {
+        const double nx = cos(2 * M_PI * a / ANGLES), ny = sin(2 * M_PI * a / ANGLES);
+        double before = 0;
+        for (int k = 0; k < STEPS; k++) {
+            double d[4], area = 0;
+            Polygon piece[MAX_PIECES];
+            for (int corner = 0; corner < 4; corner++) {
+                const double x = (corner & 1) - 0.5, y = (corner >> 1) - 0.5;
+                d[corner] = k * step - 1.5 + nx * x + ny * y;
+            }
+            const int n = polygon_pieces(d, NULL, piece);
+            for (int p = 0; p < n; p++) area += polygon_area(&piece[p], (double[2]){0, 0});
+            if (k) most = measure_worse(most, fabs(area - before) / step);
+            before = area;
+        }
+    }
+    return most;
+}
+
 static void check(Check *c, const Results *r)
 {
     int masks;
@@ -117,6 +143,10 @@ static void check(Check *c, const Results *r)
           "formulas by hand, largest departure",
           measure_formula(worst), 0, 1e-12);
     claim_note(c, "masks", masks);
+    claim(c, "W11-2.smooth",
+          "the area inside varies smoothly as a boundary passes: largest change per length moved, "
+          "in cell sides (a jump would give 1000)",
+          measure_formula(fastest_change()), 1, 1.001 * M_SQRT2);
 }
 
 const Study study_w11_02_squares = {
@@ -125,5 +155,5 @@ const Study study_w11_02_squares = {
     .about = "the shapes of a cut cell: triangle, quadrilateral, pentagon, square, saddle",
     .tables = tables,
     .check = check,
-    .claims = 1,
+    .claims = 2,
 };

@@ -11,13 +11,17 @@ enum {
     INNER = 170 /* nodes inside the ring */
 };              /* nodes at 0 .. SIDE - 1 */
 static const double trigger = 0.12;
+static const double triggers[] = {0.1, 0.12, 0.15, 0.2, 0.25};
+enum { TRIGGERS = sizeof triggers / sizeof *triggers };
 
 static void cases(Cases *list, bool quick)
 {
-    (void)quick;
     case_add_with(list, "particles", "particles",
                   "run ring --method wls --cells %d --set trigger=%g --set steps=1", CELLS,
                   trigger);
+    for (int k = 0; k < TRIGGERS; k++)
+        case_add(list, "run ring --method wls --cells %d --set trigger=%g", quick ? 8 : 32,
+                 triggers[k]);
 }
 
 /* Quadratic spline of a distance in cells. */
@@ -61,6 +65,40 @@ static void tables(const Results *r)
                  results_status(r, "particles"));
 }
 
+/* Least over largest distance of a line of equal weight about the node. */
+static double roundness(double weight)
+{
+    double least = INFINITY, most = 0;
+    for (int degree = 0; degree <= 90; degree++) {
+        const double a = degree * M_PI / 180;
+        double low = 0, high = 1.5;
+        for (int k = 0; k < 60; k++) {
+            const double r = (low + high) / 2;
+            if (spline(r * cos(a)) * spline(r * sin(a)) > weight)
+                low = r;
+            else
+                high = r;
+        }
+        least = measure_lesser(least, low);
+        most = measure_worse(most, low);
+    }
+    return least / most;
+}
+
+/* (largest - least)/largest error on the ring over these trigger weights. */
+static Measure spread(const Table *rows)
+{
+    double least = INFINITY;
+    Measure most = measure_max_of(TRIGGERS);
+    for (int k = 0; k < TRIGGERS; k++) {
+        const double e =
+            select_value(rows, "error_linf", "cells=32 steps=0 trigger=%g", triggers[k]).value;
+        least = measure_lesser(least, e);
+        measure_add_max(&most, e);
+    }
+    return measure_with(most, (most.value - least) / most.value);
+}
+
 static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "nodes");
@@ -72,8 +110,14 @@ static void check(Check *c, const Results *r)
         spurious += is > 0;
         if (R >= 0.625 && R <= 1.1) measure_add(&inner, is);
     }
-    claim(c, "W11-3.outside", "WLS: no node inside the ring is spurious: how many are", inner, 0,
-          0);
+    claim(c, "W11-3.outside", "WLS: no node inside the ring is spurious: how many are", inner, 0, 0);
+    claim(c, "W11-3.circular",
+          "lines of equal weight are nearly circles: least over largest radius of that of .12",
+          measure_formula(roundness(trigger)), 0.95, 1);
+    claim(
+        c, "W11-3.trigger",
+        "trigger weights .1 to .25 do equally well: (largest - least)/largest error, ring, N = 32",
+        spread(r->rows), 0, 0.05);
     claim_note(c, "trigger", trigger);
     claim_note(c, "spurious", spurious);
 }
@@ -85,5 +129,5 @@ const Study study_w11_03_spurious = {
     .cases = cases,
     .tables = tables,
     .check = check,
-    .claims = 1,
+    .claims = 3,
 };

@@ -22,6 +22,7 @@ static void cases(Cases *list, bool quick)
 {
     for (const Info *const *m = engine_2d.methods; *m; m++) one_method(list, (*m)->name, "", quick);
     one_method(list, "gimp", " --set layout=radial", quick);
+    case_add(list, "run ring --method wls --cells %d --cfl .6", quick ? 11 : 64);
 }
 
 /* Errors of one method and layout over N at CFL .3. */
@@ -91,8 +92,8 @@ static void check_gimp(Check *c, const Table *t)
           error_at(t, "gimp", "cartesian", 64), 0.9 * 2.05e-3, 1.1 * 2.05e-3);
     claim(c, "W11-6.gimp-radial-32", "GIMP's largest error at N = 32, particles fitted to the ring",
           error_at(t, "gimp", "radial", 32), 0.85 * 5.54e-4, 1.15 * 5.54e-4);
-    claim(c, "W11-6.gimp-order", "GIMP is of first order at best",
-          order(t, "gimp", "cartesian", 8, 128, MESHES), 0.2, 1);
+    claim(c, "W11-6.gimp-order", "GIMP is of first order at best: order over N = 8 to 128",
+          order(t, "gimp", "cartesian", 8, 128, MESHES), 0.3, 1);
     claim_differs(
         c, "W11-6.gimp-layout",
         "GIMP works best with particles on the lattice: error fitted over error lattice",
@@ -128,7 +129,48 @@ static void check_wls(Check *c, const Table *t)
     claim_differs(c, "W11-6.wls-cfl",
                   "WLS's error is flat in CFL .05 to .6 at N = 32: (largest - smallest)/largest",
                   share_in_cfl(t, "wls"), 0, 0.10, 0.10, 0.12,
-                  "it falls slowly with a larger step; CFL .05 to .5 is within 6 %");
+                  "it falls by 10.3 % towards CFL .6; CFL .05 to .5 is within 6 %");
+}
+
+/* How many of WLS's runs with CFL .05 .. .7 are lost. */
+static Measure lost_steps(const Table *t)
+{
+    Measure lost = measure_sum_of(8);
+    for (int row = -1; (row = select_next(t, row, "method=wls cells=32")) >= 0;)
+        if (select_number(t, row, "cfl") <= 0.7 + 1e-9) measure_add(&lost, select_is_lost(t, row));
+    return lost;
+}
+
+/* WLS beside FEM, mean of all meshes; its order on coarse meshes and on the finest. */
+static void check_orders(Check *c, const Table *t)
+{
+    Curve wls, fem, step;
+    errors(&wls, t, "wls", "radial");
+    errors(&fem, t, "fem", "cartesian");
+    curve_pick(&step, t, "cfl", "error_linf", "method=wls cells=64");
+    claim_differs(c, "W11-6.wls-order-coarse",
+                  "WLS is of second order on coarser meshes: fitted over N = 8 to 45",
+                  order(t, "wls", "radial", 8, 45, 6), 1.9, 2.2, 1.75, 1.9,
+                  "order 1.94 over N = 8 to 16, 1.77 over 16 to 32, 1.51 over 32 to 64");
+    claim_differs(c, "W11-6.wls-tail",
+                  "WLS has an error of first order that shows on fine meshes: order over N = 64 to "
+                  "128",
+                  order(t, "wls", "radial", 64, 128, 3), 0.8, 1.3, 1.5, 1.8,
+                  "order 1.68 there: below second order, but not yet first");
+    claim_differs(c, "W11-6.wls-fem",
+                  "WLS is somewhat less accurate than FEM: its error over FEM's, mean of nine "
+                  "meshes",
+                  curve_mean_ratio(&wls, &fem, MESHES), 1, 2, 2.3, 3,
+                  "2.6 times FEM's error; 1.7 at N = 8, 2.2 at 32, 3.8 at 128");
+    claim_differs(c, "W11-6.fine-cfl",
+                  "a low CFL number matters on fine meshes: WLS's error at CFL .6 over that at .3, "
+                  "N = 64",
+                  measure_ratio(curve_at(&step, 0.6), curve_at(&step, 0.3)), 1.1, 100, 0.9, 1,
+                  ".93: the larger step is slightly more accurate, as at N = 32");
+    claim(c, "W11-6.cell-size",
+          "the cell size is a reliable distance for the time step: WLS runs lost at CFL .05 to "
+          ".7, N = 32, of 8",
+          lost_steps(t), 0, 0);
 }
 
 static void check_wls2(Check *c, const Table *t)
@@ -143,7 +185,7 @@ static void check_wls2(Check *c, const Table *t)
           order(t, "wls2", "radial", 16, 64, 5), 1.8, 2.3);
     claim(c, "W11-6.wls2-cfl",
           "WLS2's error falls with a larger step, CFL .05 to .6: (largest - smallest)/largest",
-          share_in_cfl(t, "wls2"), 0, 0.35);
+          share_in_cfl(t, "wls2"), 0.3, 0.38);
 }
 
 static void check(Check *c, const Results *r)
@@ -151,9 +193,10 @@ static void check(Check *c, const Results *r)
     check_fem(c, r->rows);
     check_gimp(c, r->rows);
     check_wls(c, r->rows);
+    check_orders(c, r->rows);
     check_wls2(c, r->rows);
     claim(c, "W11-6.mpm-order", "MPM does not converge on the ring: order over N = 8 to 128",
-          order(r->rows, "mpm", "cartesian", 8, 128, MESHES), -1, 0.5);
+          order(r->rows, "mpm", "cartesian", 8, 128, MESHES), -1, 0);
     claim_note(c, "order_gimp_radial", order(r->rows, "gimp", "radial", 8, 128, MESHES).value);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         char name[64];
@@ -170,5 +213,5 @@ const Study study_w11_06_ring = {
     .about = "ring: convergence in space and in time, every method and FEM",
     .cases = cases,
     .check = check,
-    .claims = 20,
+    .claims = 25,
 };

@@ -1,4 +1,4 @@
-/* w11_07_disk_strain.c: strain energy per volume of the disk at three times, by WLS2 and by GIMP.
+/* w11_07_disk_strain.c: strain energy per volume of the disk at three times, by WLS and by GIMP.
  * Wallstedt and Guilkey (2011), fig. 7.
  *
  * t = 0: free flight. t = 2: after the first impact, on the floor at t ~ .5, the disk vibrates. t =
@@ -8,7 +8,7 @@
 #include "studies/tables/curves.h"
 
 static const char name[] = "w11_07_disk_strain";
-static const char *const methods[] = {"wls2", "gimp"};
+static const char *const methods[] = {"wls", "gimp"};
 static const struct {
     const char *time, *t_end;
 } shown[] = {{"0", "1e-9"}, {"2", "2"}, {"3", "3"}}; /* one step of 1 ns shows the start */
@@ -52,21 +52,20 @@ static Look look(const Results *r, const char *method, const char *time)
 
 static void check(Check *c, const Results *r)
 {
-    const Look start = look(r, "wls2", "0"), later = look(r, "wls2", "2"),
-               last = look(r, "wls2", "3");
-    claim(c, "W11-7.flight", "WLS2: strain energy at t = 0 over that at t = 3",
+    const Look start = look(r, "wls", "0"), later = look(r, "wls", "2"), last = look(r, "wls", "3");
+    claim(c, "W11-7.flight", "WLS: strain energy at t = 0 over that at t = 3",
           measure_ratio(start.energy, last.energy), 0, 1e-12);
     claim(c, "W11-7.vibration",
-          "WLS2: at t = 2, between two impacts, little strain energy is left: that over the one at "
+          "WLS: at t = 2, between two impacts, little strain energy is left: that over the one at "
           "t = 3",
           measure_ratio(later.energy, last.energy), 0, 0.2);
     claim(
         c, "W11-7.second-impact",
-        "WLS2: fig. 7c is the second impact: at t = 3 the disk is at the right wall: largest x [m]",
+        "WLS: fig. 7c is the second impact: at t = 3 the disk is at the right wall: largest x [m]",
         last.right, 0.98, 1.001);
     claim(c, "W11-7.turning",
-          "WLS2: at t = 3 the right wall is throwing the disk back: mean vx over that at the start",
-          measure_ratio(last.vx, start.vx), -1, 0.5);
+          "WLS: at t = 3 the right wall is throwing the disk back: mean vx over that at the start",
+          measure_ratio(last.vx, start.vx), -0.6, -0.1);
 }
 
 const Study study_w11_07_disk_strain = {

@@ -1,7 +1,8 @@
 /* w11_10_hole_stress.c: von Mises stress along the hole at 696 us: every method on several meshes
  * beside FEM on a very fine one, which stands for the truth. Wallstedt and Guilkey (2011), fig. 10.
  *
- * Judged at points (particles, middles of FEM's elements) initially within .35 h of the hole: rms
+ * Judged at points initially within .35 h of the hole (particles; of FEM, whose reference averages
+ * the two triangles of a quad, the quads with such a triangle, averaged likewise): rms
  * difference from the reference at the same reference point, and scatter of that difference about
  * its mean of seven neighbours in angle. */
 #include <math.h>
@@ -47,7 +48,7 @@ static void write_run(FILE *points, FILE *sums, const Results *r, const char *me
     snprintf(part, sizeof part, "%s.%d", method, cells);
     Table *t = results_file(r, part);
     if (!t) return;
-    Rim rim = hole_read(t, cells, truth);
+    Rim rim = hole_read(t, cells, truth, strcmp(method, "fem") == 0);
     for (int k = 0; k < rim.n; k++)
         fprintf(points, "%s,%d,%.17g,%.17g,%.17g\n", method, cells, rim.angle[k], rim.stress[k],
                 rim.reference[k]);
@@ -119,19 +120,24 @@ static void check_moved(Check *c, const Table *sums)
 static void check_stress(Check *c, const Table *sums)
 {
     claim(c, "W11-10.rms-wls", "WLS, h = 1/32: rms difference from the reference [GPa]",
-          result(sums, "rms", "wls", 32), 0, 5.5);
+          result(sums, "rms", "wls", 32), 2.5, 5.5);
     claim(c, "W11-10.rms-wls2", "WLS2, h = 1/32: rms difference from the reference [GPa]",
-          result(sums, "rms", "wls2", 32), 0, 4);
+          result(sums, "rms", "wls2", 32), 2, 4);
     claim(c, "W11-10.rms-gimp", "GIMP, h = 1/32: rms difference from the reference [GPa]",
-          result(sums, "rms", "gimp", 32), 25, 100);
-    claim(c, "W11-10.near-fem", "WLS is nearly as accurate as FEM: rms difference over FEM's",
-          measure_ratio(result(sums, "rms", "wls", 32), result(sums, "rms", "fem", 32)), 0, 1.5);
-    claim(c, "W11-10.scatter", "GIMP has more scatter: its scatter over WLS2's, h = 1/32",
-          measure_ratio(result(sums, "scatter", "gimp", 32), result(sums, "scatter", "wls2", 32)),
-          3, 100);
+          result(sums, "rms", "gimp", 32), 25, 50);
+    claim_differs(c, "W11-10.near-fem",
+                  "WLS is nearly as accurate as FEM: rms difference over FEM's, h = 1/32",
+                  measure_ratio(result(sums, "rms", "wls", 32), result(sums, "rms", "fem", 32)), 0,
+                  1.5, 6, 9,
+                  "FEM's .45 GPa against 3.4: judged alike, two triangles of a quad averaged as in "
+                  "the reference (5.3 triangle by triangle, where WLS looked as good)");
+    claim(c, "W11-10.scatter", "GIMP has more scatter: its scatter over WLS's, h = 1/32",
+          measure_ratio(result(sums, "scatter", "gimp", 32), result(sums, "scatter", "wls", 32)), 2,
+          10);
     claim(c, "W11-10.gimp-finer",
           "GIMP gets worse on finer meshes: rms difference at h = 1/64 over that at 1/16",
-          measure_ratio(result(sums, "rms", "gimp", 64), result(sums, "rms", "gimp", 16)), 1, 100);
+          measure_ratio(result(sums, "rms", "gimp", 64), result(sums, "rms", "gimp", 16)), 1.2,
+          2.5);
 }
 
 static void check(Check *c, const Results *r)

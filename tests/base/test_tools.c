@@ -215,6 +215,7 @@ static const TestCase tools_tests[] = {
     {NULL, NULL},
 };
 
+extern const TestCase statement_tests[];
 extern const TestCase files_tests[], study_tests[], trial_tests[], effort_tests[], select_tests[],
     found_tests[], space_tests[];
 
@@ -225,6 +226,7 @@ int main(void)
                                 {"study", study_tests},
                                 {"select", select_tests},
                                 {"effort", effort_tests},
+                                {"statements", statement_tests},
                                 {"found by the fuzzers", found_tests},
                                 {"claims on trial", trial_tests},
                                 {"space", space_tests},
