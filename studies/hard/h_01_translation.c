@@ -189,22 +189,21 @@ static void tables(const Results *r)
 static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "force");
+    const int *bar = kinds[0].cells;
     const double share = 2 * STRETCH / (double)PER_CELL;
     claim(c, "H-1.nodes",
-          "H-1: nodes inside the moving bar on its coarsest mesh, each at another offset from the "
+          "Nodes inside the moving bar on its coarsest mesh, each at another offset from the "
           "particles: how many",
-          select_value(t, "nodes", "method=mpm kind=bar cells=%d", kinds[0].cells[0]), 200, 1000);
+          select_value(t, "nodes", "method=mpm kind=bar cells=%d", bar[0]), 200, 1000);
     claim(c, "H-1.tent",
           "Tents: when a particle crosses a node the nodal force changes by 2 F/n: range of forces "
           "in the bar over that, coarsest mesh",
-          measure_times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[0]),
-                        1 / share),
+          measure_times(select_value(t, "jump", "method=mpm kind=bar cells=%d", bar[0]), 1 / share),
           0.99, 1.01);
     claim(c, "H-1.tent-h",
           "Tents: the force that a crossing particle causes does not fall with h: range of forces "
           "over 2 F/n, finest mesh",
-          measure_times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[2]),
-                        1 / share),
+          measure_times(select_value(t, "jump", "method=mpm kind=bar cells=%d", bar[2]), 1 / share),
           0.99, 1.01);
     claim(c, "H-1.gimp",
           "GIMP, GE-GIMP: no force inside while particle boxes tile space (bar, stretched square): "

@@ -286,8 +286,7 @@ static void test_poison_wide(void)
     }
 }
 
-extern const TestCase invariants_tests[];
-const TestCase invariants_tests[] = {
+static const TestCase tests[] = {
     {"momentum", test_momentum},
     {"mass", test_mass},
     {"mirrored scenes", test_mirror},
@@ -298,3 +297,4 @@ const TestCase invariants_tests[] = {
     {"nor with wide stencils", test_poison_wide},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -113,11 +113,11 @@ static void test_linear_on_nodes(void)
         }
 }
 
-extern const TestCase on_nodes_tests[];
-const TestCase on_nodes_tests[] = {
+static const TestCase tests[] = {
     {"a drifting body", test_drift_on_nodes},
     {"the same, a whole run", test_drift_row},
     {"a stressed body", test_stress_on_nodes},
     {"linear motion", test_linear_on_nodes},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)
