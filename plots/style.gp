@@ -5,7 +5,7 @@ set encoding utf8
 if (fmt eq 'png') {
     set terminal pngcairo size 1400,int(950 * tall) font 'DejaVu Sans,18' enhanced linewidth 1.4 background '#ffffff'
 } else {
-    set terminal svg size 720,int(490 * tall) dynamic font 'DejaVu Sans,12' enhanced name name background '#ffffff'
+    set terminal svg size 933,int(633 * tall) dynamic font 'DejaVu Sans,12' enhanced name name background '#ffffff'
 }
 set output out
 set datafile separator ','
