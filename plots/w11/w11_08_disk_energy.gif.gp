@@ -46,8 +46,8 @@ do for [k = 0:last] {
     set key at graph 0.8, graph 0.5 right center
     set arrow 1 from now, graph 0 to now, graph 1 nohead lc rgb '#999999'
     plot history using 't':(column('total') / E0) with lines lc rgb '#222222' lw 2 title 'total', \
-         '' using 't':(column('kinetic') / E0) with lines lc rgb '#0072B2' lw 2 title 'kinetic', \
-         '' using 't':(column('strain') / E0) with lines lc rgb '#D55E00' lw 2 title 'strain'
+         '' using 't':(column('kinetic') / E0) with lines lc rgb '#555555' dt 2 lw 2 title 'kinetic', \
+         '' using 't':(column('strain') / E0) with lines lc rgb '#999999' lw 2 title 'strain'
     unset arrow 1
     unset multiplot
 }

@@ -50,16 +50,13 @@ static void picture(const Page *page, const char *name, const char *about)
 
 static void figure_claims(const Page *page, const Study *study)
 {
-    int rows = 0;
+    int n = 0;
     for (const Claim *c = page->claims->list; c < page->claims->list + page->claims->n; c++) {
         if (c->study != study) continue;
-        if (rows++ == 0)
-            fputs("<table class=\"stack\"><thead><tr><th>verdict</th><th>claim</th><th>statement"
-                  "</th><th>measured</th><th>expected</th></tr></thead><tbody>\n",
-                  page->f);
-        page_html_claim(page->f, c);
+        fputs(n++ ? ", " : "<p>Claims: ", page->f);
+        page_claim_link(page->f, c);
     }
-    if (rows) fputs("</tbody></table>\n", page->f);
+    if (n) fputs("</p>\n", page->f);
 }
 
 static void fact(FILE *f, const char *name, const char *value)
