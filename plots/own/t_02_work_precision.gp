@@ -24,7 +24,7 @@ do for [k = 1:6] {
     p = word(PROBLEMS, k)
     row = (k - 1) / 2
     set lmargin at screen (k % 2 ? 0.09 : 0.585)
-    set rmargin at screen (k % 2 ? 0.49 : 0.985)
+    set rmargin at screen (k % 2 ? 0.475 : 0.965)
     set tmargin at screen 0.965 - 0.32 * row
     set bmargin at screen 0.965 - 0.32 * row - 0.235
     ON = ''

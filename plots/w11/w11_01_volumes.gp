@@ -10,7 +10,7 @@ set xtics 0.25
 set ytics 0.25
 set grid noxtics noytics
 set xlabel 'x [m]'
-set ylabel 'y [m]'
+set ylabel 'y [m]' offset 1
 unset key
 set samples 200
 set parametric

@@ -4,6 +4,7 @@ load plots.'/style.gp'
 load dir.'/'.name.'.var'
 rim = dir.'/'.name.'.rim.csv'
 sums = dir.'/'.name.'.sums.csv'
+small = fmt eq 'png' ? ',15' : ',10'
 rms(m) = exists('rms_'.m) ? value('rms_'.m) : NaN
 known(m) = rms(m) == rms(m)
 says(m) = sprintf(', rms %.1f, scatter %.1f', rms(m), value('scatter_'.m))
@@ -41,7 +42,7 @@ do for [k = 1:2] {
     set rmargin at screen (k == 1 ? 0.42 : 0.80)
     set label 1 heading(k == 1 ? '(b) rms difference' : '(c) its scatter')
     set ylabel k == 1 ? '[GPa]' : ''
-    if (k == 2) { set key at screen 0.81, screen 0.44 left top maxrows 20 spacing 1.0 samplen 1.8 }
+    if (k == 2) { set key at screen 0.81, screen 0.44 left top maxcols 1 spacing 0.95 samplen 1.8 font small }
     plot for [m in METHODS] exists('rms_'.m) ? sums : '/dev/null' using (of(m, 'cells')):(k == 1 ? column('rms') : column('scatter')) \
          with linespoints ls style(m) title exists('rms_'.m) ? label(m).(known(m) ? '' : ' (lost)') : ''
 }

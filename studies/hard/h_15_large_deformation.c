@@ -117,7 +117,7 @@ static int column_of(const Table *rows, int row, bool quick)
     if (bar) return select_number(rows, row, "t_end") > 2 * bar_end ? TURNS : -1;
     for (int k = 0; k < TURNS; k++)
         if (fabs(select_number(rows, row, "G") - turns[k]) < 1e-12 &&
-            (quick || fabs(select_number(rows, row, "cells") - (double)FINE) < 0.5))
+            fabs(select_number(rows, row, "cells") - (quick ? 8 : FINE)) < 0.5)
             return k;
     return -1;
 }

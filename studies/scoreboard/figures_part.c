@@ -7,7 +7,7 @@
 #include "studies/runs/must.h"
 #include "parts.h"
 
-enum { LARGE = 120000 }; /* bytes of a drawing that may be better as pixels */
+enum { LARGE = 60000 }; /* bytes of a drawing that may be better as pixels */
 
 static long size_of(const Page *page, const char *name, const char *ending)
 {
