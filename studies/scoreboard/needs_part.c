@@ -56,12 +56,15 @@ void page_needs(const Page *page)
     int rows = 0;
     for (const struct Need *n = needs; n < needs + sizeof needs / sizeof *needs; n++) {
         Table *t = table_read_part(page->dir, n->study, n->part, NULL);
-        if (!t) continue;
+        select_begin(n->study);
+        if (!t || best_row(t, n, false) < 0) {
+            table_free(t);
+            continue;
+        }
         if (rows++ == 0)
             fputs("<table class=\"stack\" id=\"needs\"><thead><tr><th>need</th><th>best particle "
                   "method</th><th>FEM</th><th>evidence</th></tr></thead><tbody>\n",
                   page->f);
-        select_begin(n->study);
         page_element(page->f, "<tr><th>", n->need, "</th>");
         answer(page->f, t, n, best_row(t, n, false));
         answer(page->f, t, n, best_row(t, n, true));

@@ -94,6 +94,7 @@ static double ring_limit(const Table *t, const char *method)
             lost = fmin(lost, table_number(t, row, "cfl"));
     for (int row = 0; t && row < t->nrow; row++)
         if (is(t, row, "method", method) && is(t, row, "layout", layout) &&
+            table_number(t, row, "cells") > 31.5 && table_number(t, row, "cells") < 32.5 &&
             table_number(t, row, "cfl") < lost)
             most = fmax(isnan(most) ? 0 : most, table_number(t, row, "cfl"));
     return most;
