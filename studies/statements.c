@@ -9,10 +9,10 @@
 
 const Statement statements[] = {
 #define PAPER "W07"
-#include "w07/statements.def"
+#include "studies/w07/statements.def"
 #undef PAPER
 #define PAPER "W11"
-#include "w11/statements.def"
+#include "studies/w11/statements.def"
 #undef PAPER
     {NULL, NULL, NULL, NULL, NULL}};
 
