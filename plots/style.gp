@@ -5,7 +5,7 @@ set encoding utf8
 if (fmt eq 'png') {
     set terminal pngcairo size 1400,int(950 * tall) font 'DejaVu Sans,18' enhanced linewidth 1.4 background '#ffffff'
 } else {
-    set terminal svg size 720,int(490 * tall) dynamic font 'DejaVu Sans,12' enhanced name name background '#ffffff'
+    set terminal svg size 933,int(633 * tall) dynamic font 'DejaVu Sans,12' enhanced name name background '#ffffff'
 }
 set output out
 set datafile separator ','
@@ -39,6 +39,7 @@ set style line 20 lc rgb '#666666' lw 1.2 dt 1 # guides
 set style line 21 lc rgb '#666666' lw 1.2 dt 2
 set style line 22 lc rgb '#334155' pt 7 ps 0.7 # particles where no method matters
 set minussign
+set format '%h' # the default '% h' leaves room for a sign
 minus(s) = strstrt(s, '-') == 1 ? '−'.s[2:] : s # the sign of a number that sprintf wrote
 set tmargin 3
 heading(s) = '{/:Bold '.s.'}' # set label 1 heading('...') at graph 0, graph 1.06

@@ -18,11 +18,11 @@ set format x '10^{%T}'
 set xrange [7e-5:0.15]
 set yrange [0.009:2]
 set ytics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2)
-set xlabel '{/Symbol e}/h, depth of the last particle in a fresh cell (1D)'
-set ylabel 'largest stable {/Symbol D}t c/h'
+set xlabel 'ε/h, depth of the last particle in a fresh cell (1D)'
+set ylabel 'largest stable Δt c/h'
 set label 1 heading('A node that is hardly touched, cd') at graph 0, graph 1.09
-set label 2 'GE-MPM: 2 ({/Symbol e}/h)^{1/2} = 2/{/Symbol w}_{max}' at 0.0018, 0.026 left font small textcolor rgb COLOUR[style('ge_mpm')]
-set label 3 'MPM: (2{/Symbol e}/h)^{1/2}' at 0.0018, 0.0205 left font small textcolor rgb COLOUR[style('mpm')]
+set label 2 'GE-MPM: 2 (ε/h)^{1/2} = 2/ω_{max}' at 0.0018, 0.026 left font small textcolor rgb COLOUR[style('ge_mpm')]
+set label 3 'MPM: (2ε/h)^{1/2}' at 0.0018, 0.0205 left font small textcolor rgb COLOUR[style('mpm')]
 set label 4 'WLS: its surface so deep' at 0.0018, 0.0162 left font small textcolor rgb COLOUR[style('wls')]
 set key off
 touched_(m, e) = strcol('method') eq m && strcol('edge') eq e && column('dim') == 1 && column('critical') > 0 ? column('depth') : NaN
@@ -43,11 +43,11 @@ set yrange [n_ - 0.5:-0.5]
 set ytics ()
 do for [k = 1:n_] { set ytics add (label(word(seen_, k)) k - 1) }
 unset ylabel
-set xlabel 'largest stable {/Symbol D}t c/h'
+set xlabel 'largest stable Δt c/h'
 set label 1 heading('All ways to touch it') at graph 0, graph 1.09
 set grid ytics xtics
 set key at screen 0.985, screen 0.915 right top maxrows 1 font small samplen 0.5
-plot points_ using (column('dim') == 1 && column('critical') > 0 ? column('critical') : NaN):(at_(strcol('method')) - 0.15) with points pt 7 ps 0.9 lc rgb '#0072B2' title '1D', \
-     points_ using (column('dim') == 2 && column('critical') > 0 ? column('critical') : NaN):(at_(strcol('method')) + 0.05) with points pt 6 ps 1 lw 1.4 lc rgb '#D55E00' title '2D', \
+plot points_ using (column('dim') == 1 && column('critical') > 0 ? column('critical') : NaN):(at_(strcol('method')) - 0.15) with points pt 7 ps 0.9 lc rgb VARIANT[1] title '1D', \
+     points_ using (column('dim') == 2 && column('critical') > 0 ? column('critical') : NaN):(at_(strcol('method')) + 0.05) with points pt 6 ps 1 lw 1.4 lc rgb VARIANT[3] title '2D', \
      points_ using (column('grows_below') > 0 ? column('grows_below') : NaN):(at_(strcol('method')) + 0.25) with points pt 2 ps 0.8 lw 1.2 lc rgb '#555555' title 'grows below'
 unset multiplot

@@ -13,7 +13,7 @@ set ylabel 'error of the displacement [m]'
 set xtics () rotate by 40 right
 do for [k = 1:words(seen_)] { set xtics add (label(word(seen_, k)) k - 1) }
 KINDS = 'cd uvf musl usl usf'
-array HUE[5] = ['#0072B2', '#009E73', '#56B4E9', '#D55E00', '#CC79A7']
+array HUE[5] = ['#334155', '#0e7490', '#64748b', '#b45309', '#a855f7'] # integrators, which are no methods
 array KIND[5] = [7, 5, 9, 6, 4]
 set key top left maxrows 1 samplen 1
 set label 1 heading('A block falls from rest: bar and plane, five integrators') at graph 0, graph 1.06

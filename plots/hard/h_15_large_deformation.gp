@@ -26,7 +26,7 @@ set label 1 heading('Vortex, G = .5: largest error [m]') at graph 0, graph 1.04
 set label 3 'U: half widths follow the stretch; l_0: they stay' at screen 0.015, screen 0.065 font small
 set key at screen 0.01, screen 0.245 left top maxrows 7 samplen 1.6 width -2 font small
 plot for [m in METHODS] errors_ using (of(m, 'fxx', 'ok')):'error' with linespoints ls style(m) title label(m), \
-     for [m in METHODS] errors_ using (of(m, 'fxx', 'lost')):(2.2) with points ls style(m) pt 1 ps 1.2 notitle, \
+     for [m in METHODS] errors_ using (of(m, 'fxx', 'lost')):(2.7 * 0.9**place(m)) with points ls style(m) pt 1 ps 1.2 notitle, \
      for [m in 'gimp ge_gimp'] errors_ using (of(m, 'stretch', 'ok')):'error' with linespoints ls style(m) dt 2 title label(m).', U', \
      for [m in 'gimp ge_gimp'] errors_ using (of(m, 'undeformed', 'ok')):'error' with linespoints ls style(m) dt 3 title label(m).', l_0', \
      NaN with points pt 1 lc rgb '#444444' title 'lost'

@@ -10,7 +10,7 @@ set xtics 0.25
 set ytics 0.25
 set grid noxtics noytics
 set xlabel 'x [m]'
-set ylabel 'y [m]'
+set ylabel 'y [m]' offset 1
 unset key
 set samples 200
 set parametric
@@ -28,7 +28,7 @@ l = 0.25 / cells
 plot part('gimp') using 'x':'y':(l * column('Fxx')):(l * column('Fyy')) with boxxyerror fc rgb COLOUR[style('gimp')] fs transparent solid 0.3 border lc rgb COLOUR[style('gimp')] lw 0.7, \
      0.9 * cos(t), 0.9 * sin(t) with lines ls 20, 0.375 * cos(t), 0.375 * sin(t) with lines ls 20
 set label 1 heading('(c) cells of WLS')
-set label 2 'area off by '.percent(error_wls2)
-plot part('wls2') using 'x':'y' with filledcurves closed fc rgb COLOUR[style('wls2')] fs transparent solid 0.2 border lc rgb COLOUR[style('wls2')], \
+set label 2 'area off by '.percent(error_wls)
+plot part('wls') using 'x':'y' with filledcurves closed fc rgb COLOUR[style('wls')] fs transparent solid 0.2 border lc rgb COLOUR[style('wls')], \
      0.9 * cos(t), 0.9 * sin(t) with lines ls 20, 0.375 * cos(t), 0.375 * sin(t) with lines ls 20
 unset multiplot

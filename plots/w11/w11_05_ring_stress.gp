@@ -1,7 +1,7 @@
 # Radial and hoop stress on the particles of the oscillating ring at three times.
 load plots.'/style.gp'
-set palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', 5 '#27ad81', 6 '#5cc863', \
-                     7 '#aadc32', 8 '#fde725')
+# Signed: blue is compression, red tension.
+set palette defined (-3 '#2166ac', -2 '#67a9cf', -1 '#b5d5e8', 0 '#dcdcdc', 1 '#f6c1a5', 2 '#ef8a62', 3 '#b2182b')
 set multiplot layout 2,3 margins 0.09,0.845,0.11,0.94 spacing 0.03,0.09
 set size ratio -1
 set xrange [0:1.25]

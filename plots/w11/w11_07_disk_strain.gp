@@ -15,7 +15,7 @@ unset colorbox
 set cbrange [0:80]
 file(m, t) = dir.'/'.name.'.'.m.'.'.t.'.csv'
 do for [row = 0:1] {
-    m = word('wls2 gimp', row + 1)
+    m = word('wls gimp', row + 1)
     do for [k = 1:3] {
         t = word('0 2 3', k)
         set label 1 heading(label(m).', t = '.t.' s') at graph 0, graph 1.07

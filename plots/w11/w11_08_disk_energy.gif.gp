@@ -1,7 +1,7 @@
 # The disk through two impacts, moving: its strain energy, and where its energy is.
 load plots.'/viridis.gp'
 load dir.'/'.name.'.var'
-set terminal gif animate delay 6 loop 0 optimize size 900,430 font 'DejaVuSans,11' background '#ffffff'
+set terminal gif animate delay 12 loop 0 optimize size 720,345 font 'DejaVuSans,9' background '#ffffff'
 set output out
 set datafile separator ','
 history = dir.'/'.name.'.wls2.csv'
@@ -13,7 +13,7 @@ set tics nomirror out scale 0.6,0.3 textcolor rgb '#333333'
 set cbrange [0:80]
 stats [*:*][*:*] frames using 't' nooutput
 last = STATS_records - 1
-do for [k = 0:last] {
+do for [k = 0:last:2] {
     stats [*:*][*:*] frames using 't' every ::k::k nooutput
     now = STATS_max
     set multiplot
@@ -46,8 +46,8 @@ do for [k = 0:last] {
     set key at graph 0.8, graph 0.5 right center
     set arrow 1 from now, graph 0 to now, graph 1 nohead lc rgb '#999999'
     plot history using 't':(column('total') / E0) with lines lc rgb '#222222' lw 2 title 'total', \
-         '' using 't':(column('kinetic') / E0) with lines lc rgb '#0072B2' lw 2 title 'kinetic', \
-         '' using 't':(column('strain') / E0) with lines lc rgb '#D55E00' lw 2 title 'strain'
+         '' using 't':(column('kinetic') / E0) with lines lc rgb '#555555' dt 2 lw 2 title 'kinetic', \
+         '' using 't':(column('strain') / E0) with lines lc rgb '#999999' lw 2 title 'strain'
     unset arrow 1
     unset multiplot
 }

@@ -4,7 +4,7 @@ load plots.'/style.gp'
 load dir.'/'.name.'.var'
 rim = dir.'/'.name.'.rim.csv'
 sums = dir.'/'.name.'.sums.csv'
-truth = dir.'/'.name.'.truth.csv'
+small = fmt eq 'png' ? ',15' : ',10'
 rms(m) = exists('rms_'.m) ? value('rms_'.m) : NaN
 known(m) = rms(m) == rms(m)
 says(m) = sprintf(', rms %.1f, scatter %.1f', rms(m), value('scatter_'.m))
@@ -23,7 +23,7 @@ set ytics 50
 set xlabel 'angle along the hole [degrees]'
 set ylabel 'von Mises stress [GPa]'
 set key at graph 0.02, graph 0.97 left top
-plot truth using 'angle':'von_mises' with lines lc rgb '#222222' lw 2 title 'FEM, h = 1/256', \
+plot rim using (column('cells') == 32 ? of('wls', 'angle') : NaN):'reference' with lines lc rgb '#222222' lw 2 title 'FEM, h = 1/256, at the points of WLS', \
      for [m in 'fem wls wls2 ge_wls gimp'] known(m) ? rim : '/dev/null' \
          using (column('cells') == 32 ? of(m, 'angle') : NaN):'von_mises' \
          with points ls style(m) ps 0.9 title label(m).says(m)
@@ -42,7 +42,7 @@ do for [k = 1:2] {
     set rmargin at screen (k == 1 ? 0.42 : 0.80)
     set label 1 heading(k == 1 ? '(b) rms difference' : '(c) its scatter')
     set ylabel k == 1 ? '[GPa]' : ''
-    if (k == 2) { set key at screen 0.81, screen 0.43 left top }
+    if (k == 2) { set key at screen 0.81, screen 0.44 left top maxcols 1 spacing 0.95 samplen 1.8 font small }
     plot for [m in METHODS] exists('rms_'.m) ? sums : '/dev/null' using (of(m, 'cells')):(k == 1 ? column('rms') : column('scatter')) \
          with linespoints ls style(m) title exists('rms_'.m) ? label(m).(known(m) ? '' : ' (lost)') : ''
 }

@@ -118,7 +118,7 @@ static void write_grades(FILE *f, FILE *g, const Table *t)
         for (int v = 1; v < VARIANTS; v++)
             if (takes(&engine_2d, *m, v))
                 grade_remedy_add(g, "H-2", (*m)->name, variants[v].name, mark_kept(usual),
-                                 mark_kept(last_left(t, (*m)->name, v).value));
+                                 mark_kept(last_left(t, (*m)->name, v).value), "");
     }
 }
 

@@ -11,6 +11,7 @@
  * stress of the scene, pi mu A or .01 E. */
 #include <math.h>
 #include <stdlib.h>
+#include "studies/tables/grades.h"
 #include "studies/tables/curves.h"
 #include "studies/runs/engines.h"
 #include "studies/runs/must.h"
@@ -159,10 +160,25 @@ static void write_line(FILE *f, const Results *r, int row)
     free(fine.X);
 }
 
+/* The cantilever at nu = .499: how far it bends beside the reference, within a tenth or a half. */
+static void write_marks(FILE *f, const Table *t)
+{
+    for (int row = -1; (row = select_next(t, row, "problem=cantilever nu=0.499")) >= 0;) {
+        const char *method = select_text(t, row, "method");
+        const double ratio = select_kept(t, row, "ratio");
+        if (isnan(ratio))
+            grade_add(f, "H-4", method, MARK_LOST, "cantilever, nu = .499: lost");
+        else
+            grade_add(f, "H-4", method, grade_mark_of(fabs(ratio - 1), 0.1, 0.5),
+                      "cantilever, nu = .499: bends %.2g times as far as the reference", ratio);
+    }
+}
+
 static void tables(const Results *r)
 {
     FILE *f = results_write(r, "locking", "problem,method,nu,status,ratio,checkerboard");
     for (int row = 0; row < r->rows->nrow; row++) write_line(f, r, row);
+    write_marks(grades_write(r), results_part(r, "locking"));
 }
 
 static Measure value(const Table *t, int scene, const char *method, const char *nu,

@@ -20,6 +20,7 @@
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 #include <stdlib.h>
+#include "studies/tables/grades.h"
 #include "studies/tables/ladder.h"
 #include "studies/runs/must.h"
 #include "studies/tables/curves.h"
@@ -158,6 +159,19 @@ static double two_over_omega(const char *method, double x)
     return 2 / sqrt(largest);
 }
 
+/* The least critical step over all depths and dimensions: .3 is the usual CFL number. */
+static void write_marks(FILE *f, const Table *t)
+{
+    for (const Info *const *m = engine_2d.methods; *m; m++) {
+        double least = INFINITY;
+        for (int row = -1; (row = select_next(t, row, "method=%s", (*m)->name)) >= 0;)
+            least = measure_lesser(least, select_number(t, row, "critical"));
+        if (isinf(least)) continue;
+        grade_add(f, "H-5", (*m)->name, grade_mark_of(-least, -0.3, -0.1),
+                  "an edge barely inside a cell limits the step to %.2g h/c", least);
+    }
+}
+
 static void tables(const Results *r)
 {
     Ladder *ladders;
@@ -171,6 +185,7 @@ static void tables(const Results *r)
             for (int d = 0; d < DEPTHS; d++)
                 fprintf(omega, "1,%s,%s,%d,%g,%.6g\n", (*m)->name, edges[e].name, e, depths[d],
                         two_over_omega((*m)->name, place(e, d)));
+    write_marks(grades_write(r), results_part(r, "points"));
 }
 
 /* Largest |step/(factor sqrt(eps/h)) - 1|. */

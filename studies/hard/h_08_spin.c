@@ -152,6 +152,16 @@ static Mark mark_spin(const Table *t, const char *method, const char *variant)
                          INFINITY);
 }
 
+/* Angular momentum lost a turn as usual and with this variant. */
+static const char *loss_note(const Table *t, const char *method, const char *variant, char note[64])
+{
+    static const char *const where = "method=%s scene=free variant=%s";
+    const double usual = fabs(select_value(t, "loss", where, method, "usual").value);
+    const double loss = fabs(select_value(t, "loss", where, method, variant).value);
+    snprintf(note, 64, isnan(loss) ? "lost" : "%.2g -> %.2g of it lost a turn", usual, loss);
+    return note;
+}
+
 static void write_marks(FILE *f, FILE *g, const Table *t)
 {
     for (const Info *const *m = engine_2d.methods; *m; m++) {
@@ -169,15 +179,16 @@ static void write_marks(FILE *f, FILE *g, const Table *t)
                 f, "H-8b", method, motion, "angular momentum changes by %.2g %% a turn",
                 -100 * select_value(t, "loss", "method=%s scene=free variant=usual", method).value);
         for (int v = 1; v < VARIANTS; v++) {
-            char setting[64];
+            char setting[64], note[64];
             const char *option = option_of(v, setting);
             const char *where = "method=%s scene=%s variant=%s";
             if (select_ended(t, "turns", where, method, "spin", variants[v].name).rows)
                 grade_remedy_add(g, "H-8a", method, option, spin,
-                                 mark_spin(t, method, variants[v].name));
+                                 mark_spin(t, method, variants[v].name), "");
             if (select_ended(t, "turns", where, method, "free", variants[v].name).rows)
                 grade_remedy_add(g, "H-8b", method, option, motion,
-                                 mark_free(t, method, variants[v].name));
+                                 mark_free(t, method, variants[v].name),
+                                 loss_note(t, method, variants[v].name, note));
         }
     }
 }

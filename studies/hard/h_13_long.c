@@ -115,7 +115,7 @@ static void write_one(FILE *drift, FILE *grades, FILE *remedies, const Table *ro
                   "energy from %+.0f to %+.0f %% after twenty periods, ten impacts",
                   -100 * worst.loss, 100 * worst.gain);
     if (engine_takes(method, "return"))
-        grade_remedy_add(remedies, "H-13", method->name, "return=spline", marks[0], marks[1]);
+        grade_remedy_add(remedies, "H-13", method->name, "return=spline", marks[0], marks[1], "");
 }
 
 /* NAME.ledger.csv: problem,method,variant,t,ledger: every so many instants of the histories. */

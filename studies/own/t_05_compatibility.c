@@ -62,14 +62,23 @@ static int line_of(const Table *rows, int row)
     return line;
 }
 
+/* E/E0 at the end. The column is (E - E0) over the largest energy, which is E if energy was gained
+ * and E0 if it was lost. */
+static double energy_ratio(double drift)
+{
+    return drift > 0 ? 1 / (1 - drift) : 1 + drift;
+}
+
 static void write_cell(FILE *f, const Table *rows, int row)
 {
     double end = select_number(rows, row, "steps") * select_number(rows, row, "dt") / period;
     int k = pair_of_row(rows, row), g = grade(rows, row);
-    fprintf(f, "%d,%s,%s%s,%d,%d,%d,", dim_of(rows, row), select_text(rows, row, "method"),
-            pairs[k].integrator, pairs[k].refresh ? " fresh" : "", k, line_of(rows, row), g);
+    const double drift = select_number(rows, row, "energy_drift");
+    const int shade = g == 0 || g == 3 ? g : drift > 0 ? 3 + g : g; /* 4, 5: gained */
+    fprintf(f, "%d,%s,%s%s,%d,%d,%d,%d,", dim_of(rows, row), select_text(rows, row, "method"),
+            pairs[k].integrator, pairs[k].refresh ? " fresh" : "", k, line_of(rows, row), g, shade);
     if (g < 3) {
-        fprintf(f, "%+.2f %%\n", 100 * select_number(rows, row, "energy_drift"));
+        fprintf(f, "%.4g\n", energy_ratio(drift));
         return;
     }
     for (const char *c = select_text(rows, row, "status"); *c; c++) putc(*c == '_' ? ' ' : *c, f);
@@ -78,7 +87,7 @@ static void write_cell(FILE *f, const Table *rows, int row)
 
 static void tables(const Results *r)
 {
-    FILE *f = results_write(r, "grid", "dim,method,integrator,column,line,grade,text");
+    FILE *f = results_write(r, "grid", "dim,method,integrator,column,line,grade,shade,text");
     for (int row = 0; row < r->rows->nrow; row++) write_cell(f, r->rows, row);
 }
 

@@ -1,13 +1,15 @@
 /* claims_part.c: verdicts on the page: counts, what differs from the papers, the table. */
 #include <math.h>
 #include <string.h>
+#include "studies/statements.h"
 #include "parts.h"
 
-static int count(const Page *page, const char *paper, Verdict verdict)
+/* Claims of a group ("": of all). */
+static int count(const Page *page, const char *group, Verdict verdict)
 {
     int n = 0;
     for (const Claim *c = page->claims->list; c < page->claims->list + page->claims->n; c++)
-        n += c->verdict == verdict && strncmp(c->study->figure, paper, strlen(paper)) == 0;
+        n += c->verdict == verdict && (!*group || strcmp(claim_group(c), group) == 0);
     return n;
 }
 
@@ -40,8 +42,8 @@ void page_papers(const Page *page)
     FILE *f = page->f;
     paper(page, "W07", "W07, Wallstedt and Guilkey 2007");
     paper(page, "W11", "W11, Wallstedt and Guilkey 2011");
-    paper(page, "T-", "Our own studies");
-    paper(page, "H-", "Hard cases");
+    paper(page, "own", "Our own methods, agreed values and findings (not sentences of a paper)");
+    paper(page, "hard", "Hard cases (H-1 to H-15)");
     if (count(page, "", DIFFERS) + count(page, "", FAIL) == 0) return;
     fputs("<details open><summary>What differs or fails, and why</summary>\n<ul>\n", f);
     for (const Claim *c = page->claims->list; c < page->claims->list + page->claims->n; c++) {
@@ -87,11 +89,16 @@ static void number(FILE *f, double x)
 void page_html_claim(FILE *f, const Claim *c)
 {
     const char *verdict = claim_verdict_name(c->verdict);
-    fprintf(f, "<tr data-verdict=\"%s\" data-figure=\"%s\"><td class=\"v %s\">%s</td>", verdict,
-            c->study->figure, verdict, verdict);
+    const Statement *s = statement_of_claim(c->id);
+    const bool published = s && statement_is_published(s);
+    fprintf(f, "<tr id=\"c-%s\" data-verdict=\"%s\" data-figure=\"%s\"><td class=\"v %s\">%s</td>",
+            c->id, verdict, c->study->figure, verdict, verdict);
     fprintf(f, "<td><a href=\"#%s\">", c->study->name);
-    page_element(f, "", c->id, "</a></td>");
+    page_element(f, "", c->id, "</a>");
+    page_element(f, "<br><span class=\"soft\">", published ? s->paper : claim_group(c), " ");
+    page_element(f, "", published ? s->place : "", "</span></td>");
     page_element(f, "<td>", c->statement, "");
+    if (published) page_element(f, "<br><i>", s->text, "</i>");
     if (c->reason[0]) page_element(f, "<br><span class=\"soft\">", c->reason, "</span>");
     fputs("</td><td class=\"n\" data-label=\"measured\">", f);
     number(f, c->measured);

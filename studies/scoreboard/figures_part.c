@@ -1,5 +1,6 @@
 /* figures_part.c: a card a figure: picture, claims, where the numbers come from, how to remake it.
- * Pictures are embedded: the drawing itself, or its pixels where those are smaller by far. */
+ * Pictures are embedded: the drawing itself, or its pixels where those are shorter. */
+#include <ctype.h>
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +8,7 @@
 #include "studies/runs/must.h"
 #include "parts.h"
 
-enum { LARGE = 120000 }; /* bytes of a drawing that may be better as pixels */
+enum { MOVING = 600000 }; /* bytes of a moving picture that the page takes */
 
 static long size_of(const Page *page, const char *name, const char *ending)
 {
@@ -32,34 +33,68 @@ static void put_base64(FILE *out, FILE *in)
     }
 }
 
+/* A drawing as the text of a URL in single quotes, its white space drawn together: a third shorter
+ * than base64. */
+static void put_drawing(FILE *out, FILE *in)
+{
+    bool blank = false;
+    for (int c; (c = getc(in)) != EOF;) {
+        if (isspace(c)) {
+            blank = true;
+            continue;
+        }
+        if (blank) putc(' ', out);
+        blank = false;
+        if (strchr("#%'", c))
+            fprintf(out, "%%%02X", (unsigned)c);
+        else if (c == '&')
+            fputs("&amp;", out);
+        else
+            putc(c, out);
+    }
+}
+
+/* name.ending as an image; a drawing as text. */
+static void put_image(const Page *page, const char *name, const char *about, const char *ending)
+{
+    const bool drawing = strcmp(ending, "svg") == 0;
+    char *path = must_text("%s/%s.%s", page->dir, name, ending);
+    FILE *in = fopen(path, "rb");
+    free(path);
+    if (!in) return;
+    page_element(page->f, "<img alt=\"", about, "\" src='data:image/");
+    fputs(drawing                 ? "svg+xml;charset=utf-8,"
+          : strcmp(ending, "gif") ? "png;base64,"
+                                  : "gif;base64,",
+          page->f);
+    if (drawing)
+        put_drawing(page->f, in);
+    else
+        put_base64(page->f, in);
+    fputs("'>\n", page->f);
+    fclose(in);
+}
+
+/* The drawing, or its pixels where those are shorter (base64 makes four characters of three); and a
+ * moving picture, if there is one that is small enough. */
 static void picture(const Page *page, const char *name, const char *about)
 {
     const long svg = size_of(page, name, "svg"), png = size_of(page, name, "png");
-    const bool pixels = png > 0 && (svg == 0 || (svg > LARGE && png < svg));
-    char *path = must_text("%s/%s.%s", page->dir, name, pixels ? "png" : "svg");
-    FILE *in = svg || png ? fopen(path, "rb") : NULL;
-    if (in) {
-        page_element(page->f, "<img alt=\"", about, "\" src=\"data:image/");
-        fprintf(page->f, "%s;base64,", pixels ? "png" : "svg+xml");
-        put_base64(page->f, in);
-        fputs("\">\n", page->f);
-        fclose(in);
-    }
-    free(path);
+    const long gif = size_of(page, name, "gif");
+    const bool pixels = png > 0 && (svg == 0 || 4 * png < 3 * svg);
+    if (svg || png) put_image(page, name, about, pixels ? "png" : "svg");
+    if (gif > 0 && gif < MOVING) put_image(page, name, "the same, moving", "gif");
 }
 
 static void figure_claims(const Page *page, const Study *study)
 {
-    int rows = 0;
+    int n = 0;
     for (const Claim *c = page->claims->list; c < page->claims->list + page->claims->n; c++) {
         if (c->study != study) continue;
-        if (rows++ == 0)
-            fputs("<table class=\"stack\"><thead><tr><th>verdict</th><th>claim</th><th>statement"
-                  "</th><th>measured</th><th>expected</th></tr></thead><tbody>\n",
-                  page->f);
-        page_html_claim(page->f, c);
+        fputs(n++ ? ", " : "<p>Claims: ", page->f);
+        page_claim_link(page->f, c);
     }
-    if (rows) fputs("</tbody></table>\n", page->f);
+    if (n) fputs("</p>\n", page->f);
 }
 
 static void fact(FILE *f, const char *name, const char *value)

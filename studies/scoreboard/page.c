@@ -41,11 +41,12 @@ static const struct Part {
     const char *marker;
     void (*write)(const Page *page);
 } parts[] = {
-    {"@BUILD@\n", build_facts},        {"@COUNTS@\n", page_counts},
-    {"@WHICH@\n", page_which},         {"@PAPERS@\n", page_papers},
-    {"@VERDICTS@\n", page_verdicts},   {"@FIGURE_NAMES@\n", page_figure_names},
-    {"@CLAIMS@\n", page_claims},       {"@FIGURES@\n", page_figures},
-    {"@STABILITY@\n", page_stability},
+    {"@BUILD@\n", build_facts},          {"@COUNTS@\n", page_counts},
+    {"@WHICH@\n", page_which},           {"@PAPERS@\n", page_papers},
+    {"@VERDICTS@\n", page_verdicts},     {"@FIGURE_NAMES@\n", page_figure_names},
+    {"@CLAIMS@\n", page_claims},         {"@FIGURES@\n", page_figures},
+    {"@STABILITY@\n", page_stability},   {"@NEEDS@\n", page_needs},
+    {"@STATEMENTS@\n", page_statements}, {"@PROBLEMS@\n", page_problems},
 };
 
 static void write_line(const Page *page, const char *line)

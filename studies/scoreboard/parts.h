@@ -19,6 +19,9 @@ void page_claims(const Page *page);       /* a row a claim */
 void page_which(const Page *page);        /* the best method for each error, from study T-2 */
 void page_stability(const Page *page);    /* a row a method: limits, what breaks it, what helps */
 void page_figures(const Page *page);      /* a card a figure */
+void page_needs(const Page *page);        /* which method by need, with its evidence */
+void page_statements(const Page *page);   /* what the papers say, sentence by sentence */
+void page_problems(const Page *page);     /* a card a problem */
 
 /* Every method's price of each error, if dir/NAME.reach.csv is there. */
 void page_prices(const Page *page, const char *name);
@@ -28,5 +31,6 @@ const char *method_label(const char *method); /* "GE-GIMP", from any dimension; 
 void page_text(FILE *f, const char *text); /* escaped */
 void page_element(FILE *f, const char *open, const char *text, const char *close);
 void page_html_claim(FILE *f, const Claim *c); /* a table's row */
+void page_claim_link(FILE *f, const Claim *c); /* to that row, in its verdict's colour */
 
 #endif

@@ -7,8 +7,8 @@
 #include "studies/select.h"
 
 static const char costs[] = "t_02_work_precision";
-static const char *const targets[] = {"0.001", "0.0003", "0.0001"};
-enum { TARGETS = 3 };
+static const char *const targets[] = {"0.01", "0.001", "0.0003", "0.0001"};
+enum { TARGETS = 4 };
 
 static Table *costs_read(const Page *page, const char *name)
 {
@@ -119,7 +119,8 @@ void page_which(const Page *page)
             "scaled as <code>describe</code> says), at the cheapest options tried; the best "
             "particle method, and FEM below it. ~ is extrapolated, &le; is the coarsest mesh "
             "tried. <a href=\"#%s\">All methods and the figure</a>.</p>\n<table class=\"stack\" "
-            "id=\"prices\"><thead><tr><th>problem</th><th>error 1e-3</th><th>3e-4</th><th>1e-4</th>"
+            "id=\"prices\"><thead><tr><th>problem</th><th>error "
+            "1e-2</th><th>1e-3</th><th>3e-4</th><th>1e-4</th>"
             "</tr></thead><tbody>\n",
             costs);
     for (int row = t->nrow - 1; row >= 0; row--) { /* the ring first */
@@ -136,7 +137,9 @@ void page_prices(const Page *page, const char *name)
     Table *t = costs_read(page, name);
     if (!t) return;
     fputs("<details open><summary>Every method at its best: CPU time to reach an error</summary>"
-          "<div class=\"scroll\"><table><tr><th>problem</th><th>method</th><th>1e-3</th><th>3e-4"
+          "<div "
+          "class=\"scroll\"><table><tr><th>problem</th><th>method</th><th>1e-2</th><th>1e-3</"
+          "th><th>3e-4"
           "</th><th>1e-4</th></tr>\n",
           page->f);
     for (int row = 0; row + TARGETS <= t->nrow; row += TARGETS) {

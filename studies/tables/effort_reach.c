@@ -3,8 +3,8 @@
 #include <string.h>
 #include "effort.h"
 
-enum { TARGETS = 3 };
-static const double targets[TARGETS] = {1e-3, 3e-4, 1e-4};
+enum { TARGETS = 4 };
+static const double targets[TARGETS] = {1e-2, 1e-3, 3e-4, 1e-4};
 static const double least_order = 0.5, least_kept = 0.75, most_finer = 2; /* of an extrapolation */
 
 typedef enum How { REACHED, BELOW, EXTRAPOLATED, NEVER } How;

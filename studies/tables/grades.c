@@ -12,14 +12,14 @@ FILE *grades_write(const Results *results)
 
 FILE *grades_write_remedies(const Results *results)
 {
-    return results_write(results, "remedies", "case,method,remedy,before,after");
+    return results_write(results, "remedies", "case,method,remedy,before,after,note");
 }
 
 void grade_remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy,
-                      Mark before, Mark after)
+                      Mark before, Mark after, const char *note)
 {
-    fprintf(f, "%s,%s,%s,%s,%s\n", hard_case, method, remedy, grade_mark_names[before],
-            grade_mark_names[after]);
+    fprintf(f, "%s,%s,%s,%s,%s,%s\n", hard_case, method, remedy, grade_mark_names[before],
+            grade_mark_names[after], note);
 }
 
 void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, const char *note,

@@ -24,8 +24,9 @@ FILE *grades_write_remedies(const Results *results);
 void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, const char *note,
                ...) __attribute__((format(printf, 5, 6)));
 
+/* note: what the option does to the number, or "". */
 void grade_remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy,
-                      Mark before, Mark after);
+                      Mark before, Mark after, const char *note);
 
 /* MARK_OK while value <= ok, MARK_WEAK while <= weak; else, and if NAN, MARK_LOST. */
 Mark grade_mark_of(double value, double ok, double weak);

@@ -91,8 +91,7 @@ static Measure spread(const Table *rows)
     double least = INFINITY;
     Measure most = measure_max_of(TRIGGERS);
     for (int k = 0; k < TRIGGERS; k++) {
-        const double e =
-            select_value(rows, "error_linf", "cells=32 steps=0 trigger=%g", triggers[k]).value;
+        const double e = select_value(rows, "error_linf", "cells=32 trigger=%g", triggers[k]).value;
         least = measure_lesser(least, e);
         measure_add_max(&most, e);
     }

@@ -5,6 +5,7 @@
 # Screenshots stay in FOLDER/page. Prints "N passed, N failed"; SKIPPED without the browser.
 set -u
 program=$(realpath "$1")
+here=$(realpath "$(dirname "$0")")
 mkdir -p "$2"
 work=$(realpath "$2")/page
 out=${3:-}
@@ -70,7 +71,14 @@ look() {
     ok "$name at $width: every image is there" \
         "$(js 'Array.from(document.images).filter(i => !i.complete || !i.naturalWidth).length')" 0
     ok "$name at $width: a figure has its image" \
-        "$(js 'document.querySelectorAll(\"article\").length - document.images.length')" 0
+        "$(js 'Array.from(document.querySelectorAll(\"article\")).filter(a => !a.querySelector(\"img\")).length')" 0
+    ok "$name at $width: a problem has its exact solution and scale" \
+        "$(js 'Array.from(document.querySelectorAll(\"#problems + .grid .card\")).filter(c => c.querySelectorAll(\"dd\").length !== 3).length')" 0
+    ok "$name at $width: figures come before the claims" \
+        "$(js 'document.getElementById(\"figures\").offsetTop < document.getElementById(\"claims\").offsetTop')" true
+    ok "$name at $width: every sentence has claims or a reason" \
+        "$(js 'Array.from(document.querySelectorAll(\"details table.sort tbody tr\")).filter(r => !r.cells[2].textContent.trim()).length')" 0
+    ok "$name at $width: a column sorts" "$(js '(t => { const h = t.tHead.rows[0].cells[1]; h.click(); const c = Array.from(t.tBodies[0].rows).map(r => r.cells[1].textContent); h.click(); return c.length > 2 && c.every((s, k) => k === 0 || c[k - 1] <= s); })(document.querySelector(\"details table.sort\"))')" true
     ok "$name at $width: ids are unique" \
         "$(js '(l => l.length - new Set(l).size)(Array.from(document.querySelectorAll(\"[id]\")).map(e => e.id))')" 0
     ok "$name at $width: links within the page lead somewhere" \
@@ -95,14 +103,26 @@ look() {
     ok "$name at $width: errors" "$(post se/log '{"type":"browser"}' | grep -o '"level":"SEVERE"[^}]*' | head -n 1)" ""
 }
 
+# drawings FOLDER: texts of its figures lie on the canvas and beside each other
+drawings() {
+    if [ ! -x /usr/bin/python3 ] || [ ! -e /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf ]; then
+        echo "SKIPPED texts of figures: no python3 or DejaVu fonts"
+        return
+    fi
+    /usr/bin/python3 "$here/svg_text.py" --symbol "$1"/*.svg >"$scratch/texts"
+    ok "texts of the figures in $1: $(head -n 3 "$scratch/texts")" $? 0
+}
+
 for study in w07_03_degenerate w07_13_sine_bar t_06_norms h_03_stretch h_14_fall; do
     "$program" study $study --out "$work/out" >/dev/null || exit 1
 done
 "$program" claims --out "$work/out" >/dev/null
+drawings "$work/out"
 look small "$work/out/index.html" 1400
 look small "$work/out/index.html" 390
 if [ -n "$out" ] && [ -e "$out/index.html" ]; then
-    ok "under 5 MB" "$(($(stat -c %s "$out/index.html") < 5000000))" 1
+    ok "under 4 MB" "$(($(stat -c %s "$out/index.html") < 4000000))" 1
+    drawings "$out"
     look whole "$(realpath "$out/index.html")" 1400
     look whole "$(realpath "$out/index.html")" 390
 fi

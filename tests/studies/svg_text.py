@@ -84,7 +84,9 @@ def box_of(text, size, anchor, place):
     corners = [(px + math.cos(turn) * u - math.sin(turn) * v, py + math.sin(turn) * u + math.cos(turn) * v)
                for u in (left - shift, right - shift) for v in (low, high)]
     xs, ys = zip(*corners)
-    return words.strip(), min(xs), min(ys), max(xs), max(ys)
+    along = [x * math.cos(turn) + y * math.sin(turn) for x, y in corners]
+    across = [y * math.cos(turn) - x * math.sin(turn) for x, y in corners]
+    return words.strip(), (min(xs), min(ys), max(xs), max(ys)), turn, (min(along), min(across), max(along), max(across))
 
 
 def boxes(root):
@@ -100,13 +102,15 @@ def faults_of(path, symbol):
     root = tree.parse(path).getroot()
     _, _, width, height = (float(v) for v in root.get("viewBox").split())
     found = list(boxes(root))
-    for words, x0, y0, x1, y1 in found:
+    for words, (x0, y0, x1, y1), _, _ in found:
         if x0 < 0 or y0 < 0 or x1 > width or y1 > height:
             yield "'%s' leaves the canvas: %.0f..%.0f, %.0f..%.0f of %g x %g" % (words, x0, x1, y0, y1, width, height)
     for k, a in enumerate(found):
         for b in found[:k]:
-            if min(a[3], b[3]) - max(a[1], b[1]) > 1 and min(a[4], b[4]) - max(a[2], b[2]) > 1:
-                yield "'%s' and '%s' overlap at %.0f, %.0f" % (b[0], a[0], max(a[1], b[1]), max(a[2], b[2]))
+            how = 3 if a[2] == b[2] else 1  # turned alike: along and across the line of text
+            low, high = [max(a[how][i], b[how][i]) for i in (0, 1)], [min(a[how][i], b[how][i]) for i in (2, 3)]
+            if high[0] - low[0] > 1 and high[1] - low[1] > 1:
+                yield "'%s' and '%s' overlap at %.0f, %.0f" % (b[0], a[0], a[1][0], a[1][1])
     if symbol and "Symbol" in open(path, encoding="utf-8").read():
         yield "asks for the font Symbol"
 

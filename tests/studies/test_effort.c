@@ -52,18 +52,19 @@ static void check_cost(const Table *t, int row, const char *how, double p)
     CHECK_CLOSE(table_number(t, row, "work") / (cells * cells), 1, 1e-5);
 }
 
-/* Targets 1e-3, 3e-4, 1e-4; order 2 takes 126, 231 and 400 cells. */
+/* Targets 1e-2, 1e-3, 3e-4, 1e-4; order 2 takes 40, 126, 231 and 400 cells. */
 static void test_reach(void)
 {
     const Effort list[] = {point("a", 64, 2),  point("a", 128, 2), point("a", 256, 2),
                            point("b", 8, 2),   point("b", 16, 2),  point("c", 32, 0.4),
                            point("c", 64, 0.4)};
     Table *t = reach(list, 7);
-    CU_ASSERT_FATAL(t->nrow == 9);
-    check_cost(t, 0, "reached", 2);
+    CU_ASSERT_FATAL(t->nrow == 12);
+    CHECK_TEXT(table_text(t, 0, "how"), "below");
     check_cost(t, 1, "reached", 2);
-    check_cost(t, 2, "extrapolated", 2);
-    for (int row = 3; row < 9; row++) CHECK_TEXT(table_text(t, row, "how"), "never");
+    check_cost(t, 2, "reached", 2);
+    check_cost(t, 3, "extrapolated", 2);
+    for (int row = 4; row < 12; row++) CHECK_TEXT(table_text(t, row, "how"), "never");
     table_free(t);
 }
 
@@ -78,15 +79,15 @@ static void test_reach_ends(void)
     list[5].error = 0.5 * list[4].error; /* of order 1 */
     list[8].error = 0.5 * list[7].error; /* of order 1 after 2 */
     Table *t = reach(list, 9);
-    CU_ASSERT_FATAL(t->nrow == 12);
+    CU_ASSERT_FATAL(t->nrow == 16);
     CHECK_TEXT(table_text(t, 0, "how"), "below");
     CHECK_CLOSE(table_number(t, 0, "cells"), 512, 0);
-    check_cost(t, 3, "reached", 2);
-    CHECK_TEXT(table_text(t, 6, "how"), "extrapolated");
-    CHECK_CLOSE(table_number(t, 6, "cells") / (128 * list[5].error / 1e-3), 1, 1e-5);
-    CHECK_TEXT(table_text(t, 8, "how"), "never");
-    check_cost(t, 9, "reached", 2);
-    CHECK_TEXT(table_text(t, 10, "how"), "never");
+    check_cost(t, 5, "reached", 2);
+    CHECK_TEXT(table_text(t, 9, "how"), "extrapolated");
+    CHECK_CLOSE(table_number(t, 9, "cells") / (128 * list[5].error / 1e-3), 1, 1e-5);
+    CHECK_TEXT(table_text(t, 11, "how"), "never");
+    check_cost(t, 13, "reached", 2);
+    CHECK_TEXT(table_text(t, 14, "how"), "never");
     table_free(t);
 }
 
