@@ -1,7 +1,7 @@
-/* t_01_ge_wls.c: gradient-enhanced WLS with one part removed at a time, on ring, axis_mms, vortex,
- * plate and disk; then whole rings off the grid lines, long times, denser particles and many time
- * steps, beside FEM at equal mesh size. Most parts were chosen on one ring; the other scenes show
- * what of that is luck. Errors as in the rows; CFL .3 on the ring. */
+/* t_01_ge_wls.c: gradient-enhanced WLS beside FEM at equal mesh size and WLS2: ring, axis_mms,
+ * vortex, plate and disk; whole rings off the grid lines, long times, denser particles and many
+ * time steps. Most parts were chosen on one ring; the other scenes show what of that is luck (part
+ * by part: t_01_parts.c). Errors as in the rows; CFL .3 on the ring. */
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <string.h>
@@ -10,18 +10,8 @@
 
 static const char name[] = "t_01_ge_wls";
 
-/* The parts in the order in which rows spell them, and what stands there without them. */
-enum { AVERAGE, DISTANCE, HERMITE, MASS, MOTION, RETURN, VELOCITY, PARTS };
-static const struct {
-    const char *setting, *with, *without;
-} parts[PARTS] = {
-    [AVERAGE] = {"average", "folded", "weighted"},  [DISTANCE] = {"distance", "curved", "normals"},
-    [HERMITE] = {"hermite", "1000", "0"},           [MASS] = {"mass", "corrected", "lumped"},
-    [MOTION] = {"motion", "consistent", "lagged"},  [RETURN] = {"return", "spline", "linear"},
-    [VELOCITY] = {"velocity", "corrected", "plain"}};
-
-enum { RUNS = 130, INSTANTS = 300, RIM = 30 }; /* of ge_wls; of a history; along the hole */
-enum { MESHES = 9, COARSE = 7, OFFSETS = 10, STEPS = 7, TIMES = 2 };
+enum { RUNS = 39, INSTANTS = 300, RIM = 30 }; /* of ge_wls; of a history; along the hole */
+enum { MESHES = 9, OFFSETS = 10, STEPS = 7, TIMES = 2 };
 static const int cells[MESHES] = {8, 11, 16, 23, 32, 45, 64, 91, 128};
 static const double cfl[STEPS] = {0.05, 0.1, 0.2, 0.4, 0.6, 0.7, 0.8};
 static const double t_end[TIMES] = {0.08, 0.4}; /* 4 and 20 periods */
@@ -33,31 +23,6 @@ enum { RIVALS = sizeof rivals / sizeof *rivals };
 static double spread(int k, double ratio)
 {
     return fmod(k * ratio, 1);
-}
-
-static void add_parts(Cases *list, bool quick)
-{
-    char file[64], set[64];
-    for (int part = -1; part < PARTS; part++) {
-        if (part < 0)
-            *set = 0;
-        else
-            snprintf(set, sizeof set, " --set %s=%s", parts[part].setting, parts[part].without);
-        for (int k = 0; k < (quick ? 2 : COARSE); k++)
-            if (part >= 0) case_add(list, "run ring --method ge_wls --cells %d%s", cells[k], set);
-        for (int n = 16; part >= 0 && n <= (quick ? 16 : 32); n *= 2) {
-            case_add(list, "run axis_mms --method ge_wls --cells %d%s", n, set);
-            case_add(list, "run vortex --method ge_wls --cells %d --set G=0.2 --cfl 0.1%s", n, set);
-        }
-        snprintf(file, sizeof file, "%s.plate.%d.csv", name, part);
-        case_add_with(list, "samples", file, "run hole_plate --method ge_wls --cells %d%s",
-                      quick ? 8 : 32, set);
-        snprintf(file, sizeof file, "%s.disk.%d.csv", name, part);
-        case_add_with(list, "history", file,
-                      "run disk_impact --method ge_wls --cells %d --t-end "
-                      "%g%s",
-                      quick ? 12 : 48, late, set);
-    }
 }
 
 static void add_rivals(Cases *list, const char *method, bool quick)
@@ -89,54 +54,47 @@ static void cases(Cases *list, bool quick)
     case_add_with(list, "samples", file, "run hole_plate --method fem --cells %d",
                   quick ? 32 : 256);
     for (int m = 0; m < RIVALS; m++) add_rivals(list, rivals[m], quick); /* first: see value_of */
-    add_parts(list, quick);
+    snprintf(file, sizeof file, "%s.plate.csv", name);
+    case_add_with(list, "samples", file, "run hole_plate --method ge_wls --cells %d",
+                  quick ? 8 : 32);
+    snprintf(file, sizeof file, "%s.disk.csv", name);
+    case_add_with(list, "history", file, "run disk_impact --method ge_wls --cells %d --t-end %g",
+                  quick ? 12 : 48, late);
     for (int ppc = 9; ppc <= (quick ? 9 : 16); ppc += 7)
         case_add(list, "run ring --method ge_wls --cells %d --ppc %d", quick ? 8 : 32, ppc);
 }
 
-/* A number of the first such row: that of the method as it is, unless a setting is named. */
+/* A number of the first such row. */
 static Measure value_of(const Table *rows, const char *problem, const char *method, int n,
-                        const char *setting, const char *want)
+                        const char *want)
 {
     for (int row = 0; row < rows->nrow; row++)
         if (strcmp(table_text(rows, row, "problem"), problem) == 0 &&
             strcmp(table_text(rows, row, "method"), method) == 0 &&
-            lround(table_number(rows, row, "cells")) == n &&
-            (!setting || strstr(table_text(rows, row, "params"), setting)))
+            lround(table_number(rows, row, "cells")) == n)
             return measure(kept_number(rows, row, want), !isnan(kept_number(rows, row, want)), 1);
     return measure(NAN, 0, 1);
 }
 
-static const char *setting_without(int part, char text[64])
-{
-    if (part < 0) return NULL;
-    snprintf(text, 64, "%s=%s", parts[part].setting, parts[part].without);
-    return text;
-}
-
-/* Errors over FEM's on the same mesh: of the whole, of the whole less a part, of WLS2. */
+/* Errors over FEM's on the same mesh. */
 static int tables(const char *dir, bool quick, Fault *fault)
 {
-    char path[PATH_TEXT], text[64];
+    static const char *const problem[] = {"ring", "axis_mms", "vortex"};
+    char path[PATH_TEXT];
     (void)quick;
     table_part_path(path, dir, name, "shares");
     Table *rows = table_read_part(dir, name, NULL, fault);
     FILE *f = rows ? file_begin(path, fault) : NULL;
-    if (f) fputs("problem,what,cells,share\n", f);
-    for (int what = -1; f && what <= PARTS; what++)
+    if (f) fputs("problem,method,cells,share\n", f);
+    for (int m = 0; f && m < RIVALS - 1; m++)
         for (int p = 0; p < 3; p++)
             for (int k = 0; k < MESHES; k++) {
-                static const char *const problem[] = {"ring", "axis_mms", "vortex"};
-                const bool other = what == PARTS;
-                const char *method = other ? "wls2" : "ge_wls";
-                const char *set = other ? NULL : setting_without(what, text);
                 const double share =
-                    over(value_of(rows, problem[p], method, cells[k], set, "error_linf"),
-                         value_of(rows, problem[p], "fem", cells[k], NULL, "error_linf"))
+                    over(value_of(rows, problem[p], rivals[m], cells[k], "error_linf"),
+                         value_of(rows, problem[p], "fem", cells[k], "error_linf"))
                         .value;
-                const char *label = other || what < 0 ? method : parts[what].setting;
                 if (!isnan(share))
-                    fprintf(f, "%s,%s,%d,%.17g\n", problem[p], label, cells[k], share);
+                    fprintf(f, "%s,%s,%d,%.17g\n", problem[p], rivals[m], cells[k], share);
             }
     table_free(rows);
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
@@ -145,8 +103,8 @@ static int tables(const char *dir, bool quick, Fault *fault)
 /* Of ge_wls over FEM on one mesh. */
 static Measure share_of(const Table *rows, const char *problem, const char *norm, int n)
 {
-    return over(value_of(rows, problem, "ge_wls", n, NULL, norm),
-                value_of(rows, problem, "fem", n, NULL, norm));
+    return over(value_of(rows, problem, "ge_wls", n, norm),
+                value_of(rows, problem, "fem", n, norm));
 }
 
 /* The largest on the ring, over meshes from .. to. */
@@ -214,7 +172,7 @@ static void check_doubts(Check *c, const Table *rows)
     claim_note(c, "spread", sd / mean.value);
     claim(c, "T-1b.cfl", "CFL .05 to .7, N = 32: largest error over FEM's at CFL .05",
           worst_step(rows), 0, 1);
-    claim(c, "T-1b.lost", "runs of ge_wls lost, of all here, parts removed included",
+    claim(c, "T-1b.lost", "runs of ge_wls lost, of all here",
           count_lost(rows, RUNS, "method=ge_wls"), 0, 0);
     claim(c, "T-1b.vortex", "generalized vortex, G = .2, N = 32: largest error over FEM's",
           share_of(rows, "vortex", "error_linf", 32), 0, 1);
@@ -223,35 +181,12 @@ static void check_doubts(Check *c, const Table *rows)
           share_of(rows, "axis_mms", "error_linf", 32), 0, 0.3);
 }
 
-/* Each part must earn its place somewhere: the largest of its gains. */
-static void check_parts(Check *c, const Table *rows)
-{
-    for (int part = 0; part < PARTS; part++) {
-        char id[64], text[128], setting[64];
-        Measure gain = sum_of(0);
-        setting_without(part, setting);
-        for (int k = 0; k < COARSE; k++) {
-            if (cells[k] < 16) continue;
-            const Measure ratio =
-                over(value_of(rows, "ring", "ge_wls", cells[k], setting, "error_l2"),
-                     value_of(rows, "ring", "ge_wls", cells[k], NULL, "error_l2"));
-            gain = sum(gain, with_value(ratio, log(ratio.value) / 5));
-        }
-        snprintf(id, sizeof id, "T-1b.part-%s", parts[part].setting);
-        snprintf(text, sizeof text,
-                 "without %s=%s: rms error on the ring grows, mean factor over N = 16 ... 64",
-                 parts[part].setting, parts[part].with);
-        claim_differs(c, id, text, with_value(gain, exp(gain.value)), 1, 10, 0.5, 1,
-                      "what it buys lies elsewhere: see the figure's other scenes");
-    }
-}
-
 /* Energy over that at the start: the last before `t` [s], or the largest so far. */
 static Measure disk_energy(const Files *files, double t, bool most)
 {
     Measure out = largest_of(INSTANTS);
     double last = NAN;
-    Table *h = file_read(files, "disk.-1");
+    Table *h = file_read(files, "disk");
     for (int k = 0; h && k < h->nrow && table_number(h, k, "t") <= t; k++) {
         last = table_number(h, k, "total") / table_number(h, 0, "total");
         add_largest(&out, last);
@@ -268,30 +203,32 @@ static void check_scenes(Check *c, const char *dir)
     files_open(&files, dir, name);
     claim(c, "T-1b.disk", "disk: energy over E0 at t = 2.3", disk_energy(&files, 2.3, false), 0.98,
           1.005);
-    claim(c, "T-1b.disk-late", "and at t = 4", disk_energy(&files, late, false), 0.91, 1.005);
-    claim(c, "T-1b.disk-most", "its largest ever", disk_energy(&files, late, true), 0.99, 1.005);
-    if (file_path(&files, "reference", path[0]) && file_path(&files, "plate.-1", path[1]))
+    claim(c, "T-1b.disk-late", "disk: energy over E0 at t = 4", disk_energy(&files, late, false),
+          0.91, 1.005);
+    claim(c, "T-1b.disk-most", "disk: largest energy over E0 until t = 4",
+          disk_energy(&files, late, true), 0.99, 1.005);
+    if (file_path(&files, "reference", path[0]) && file_path(&files, "plate", path[1]))
         rim_measure(path[0], 256, path[1], 32, &rms, &scatter);
     files_close(&files);
     claim(c, "T-1b.plate", "plate, h = 1/32: rms difference of stress from the reference [GPa]",
           rms, 0, 2.2);
-    claim(c, "T-1b.plate-scatter", "and scatter along the hole [GPa]", scatter, 0, 1.8);
+    claim(c, "T-1b.plate-scatter", "plate, h = 1/32: scatter of stress along the hole [GPa]",
+          scatter, 0, 1.8);
 }
 
 static void check(Check *c, const Table *rows, const char *dir)
 {
     check_ring(c, rows);
     check_doubts(c, rows);
-    check_parts(c, rows);
     check_scenes(c, dir);
 }
 
 const Study study_t_01_ge_wls = {
     .name = name,
     .figure = "T-1b",
-    .about = "GE-WLS: what each part buys, and where it does and does not beat FEM",
+    .about = "GE-WLS beside FEM at equal mesh size: where it is better and where not",
     .cases = cases,
     .tables = tables,
     .check = check,
-    .claims = 23,
+    .claims = 16,
 };
