@@ -214,13 +214,11 @@ static void test_matrix_symbol(void)
         double *x = node_field(sim);
         for (int row = 0; row < g->rows; row++)
             for (int i = 0; i < g->n[0]; i++)
-                x[(size_t)row * (size_t)g->n[0] + (size_t)i] =
-                    cos(k_wave * ((i + g->origin[0]) - middle(sim) * CELLS));
+                x[row * g->n[0] + i] = cos(k_wave * (i + g->origin[0] - middle(sim) * CELLS));
         multiply(sim, x);
         const Inertia in = wls_of(sim)->inertia[middle_node(sim)];
         check_coefficient(in.product[I_V] / in.row[I_SUM], exact ? 1.0 / 6 : 1.0 / 4);
-        free(x);
-        sim_free(sim);
+        free(x), sim_free(sim);
     }
 }
 
@@ -241,13 +239,12 @@ static void test_matrix_entries(void)
             const double want = entry[abs(i)] * (DIM > 1 ? entry[abs(j)] : 1) * pow(dx, DIM);
             CHECK_CLOSE(wls_of(sim)->inertia[at].product[I_V], want, 1e-14 * pow(dx, DIM));
         }
-    free(x);
-    sim_free(sim);
+    free(x), sim_free(sim);
 }
 
 /* Off the grid's lines, turned in the plane: all cells of its edge are cut. */
-static const char *const askew = DIM > 1 ? "offset_x=.3;offset_y=.2;angle=20;velocity=corrected"
-                                         : "offset_x=.3;velocity=corrected";
+static const char askew[] =
+    "offset_x=.3;velocity=corrected" IN_THIS_DIM("", ";offset_y=.2;angle=20", "");
 
 /* sum over live nodes of y times (M x). */
 static double form(Sim *sim, const double *y, const double *x)
@@ -273,11 +270,11 @@ static void test_moments(void)
     const size_t n = (size_t)g->rows * (size_t)g->n[0];
     double *x = node_field(sim), *y = node_field(sim);
     for (int d = 0; d < DIM; d++) {
-        for (size_t at = 0; at < n; at++)
-            x[at] = (double)(d ? at / (size_t)g->n[0] : at % (size_t)g->n[0]);
+        const size_t wide = (size_t)g->n[0];
+        for (size_t at = 0; at < n; at++) x[at] = (double)(d ? at / wide : at % wide);
         multiply(sim, x);
         for (size_t at = 0; at < n; at++) {
-            const int row = (int)(at / (size_t)g->n[0]), i = (int)(at % (size_t)g->n[0]);
+            const int row = (int)(at / wide), i = (int)(at % wide);
             if (i < g->lo[row] || i >= g->hi[row]) continue;
             const Inertia in = wls_of(sim)->inertia[at];
             CHECK_CLOSE(in.product[I_V], in.row[I_FIRST + d] + x[at] * in.row[I_SUM],
@@ -288,8 +285,7 @@ static void test_moments(void)
     const double sum = form(sim, y, x);
     CHECK_CLOSE(sum, form(sim, x, y), 1e-14);
     CU_ASSERT(fabs(sum) > 1e-5);
-    free(x), free(y);
-    sim_free(sim);
+    free(x), free(y), sim_free(sim);
 }
 
 extern const TestCase wls_symbols_tests[];
