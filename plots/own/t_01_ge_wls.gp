@@ -9,7 +9,7 @@ set xtics (8, 16, 32, 64, 128)
 set yrange [0.1:4]
 set ytics (0.1, 0.2, 0.5, 1, 2, 4)
 set xlabel 'cells over the outer radius, N'
-set ylabel "largest error over FEM's" offset 0.5
+set ylabel "largest error over FEM's" offset 1.8
 set label 1 heading('(a) ring, mesh size') at graph 0, graph 1.05
 set key at screen 0.05, screen 0.265 left top maxrows 6 samplen 2.2 width 1
 of(p, m) = strcol('problem') eq p && strcol('method') eq m ? column('cells') : NaN
@@ -25,7 +25,7 @@ set yrange [1e-4:1e-3]
 set ytics (1e-4, 2e-4, 5e-4, 1e-3)
 set format y '%.0e'
 set xlabel 'CFL'
-set ylabel 'largest error [m]' offset 0.5
+set ylabel 'largest error [m]' offset 1
 at(m) = strcol('problem') eq 'ring' && strcol('method') eq m && column('cells') == 32 && column('t_end') < 0.021 \
         && (m eq 'fem' || column('ppc_asked') == 4) && strstrt(strcol('params'), 'sector=full') == 0 \
         && strcol('status') eq 'ok' ? column('cfl') : NaN

@@ -11,7 +11,7 @@ set xtics (8, 16, 32, 64)
 set yrange [0.4:2]
 set ytics (0.5, 0.7, 1, 1.5, 2)
 set xlabel 'cells over the outer radius, N'
-set ylabel "largest error over FEM's" offset 0.5
+set ylabel "largest error over FEM's" offset 1.8
 set label 1 heading('(a) ring') at graph 0, graph 1.05
 set key at screen 0.08, screen 0.24 left top maxrows 4 samplen 2.2 width 2
 of(p) = strcol('part') eq p && strcol('what') eq 'share' ? column('at') : NaN

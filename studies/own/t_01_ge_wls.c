@@ -175,12 +175,13 @@ static Measure disk_energy(const Results *r, double t, bool most)
 static void check_scenes(Check *c, const Results *r)
 {
     Measure rms = measure_sum_of(RIM), scatter = measure_sum_of(RIM);
-    claim(c, "T-1b.disk", "GE-WLS, disk: energy over E0 at t = 2.3", disk_energy(r, 2.3, false),
-          0.98, 1.005);
+    claim_differs(c, "T-1b.disk", "GE-WLS, disk: energy over E0 at t = 2.3 is .99 or more",
+                  disk_energy(r, 2.3, false), 0.99, 1.001, 0.985, 0.99,
+                  "E/E_0 falls to .978 in the first impact and recovers to .9899 only");
     claim(c, "T-1b.disk-late", "GE-WLS, disk: energy over E0 at t = 4", disk_energy(r, late, false),
           0.91, 1.005);
     claim(c, "T-1b.disk-most", "GE-WLS, disk: largest energy over E0 until t = 4",
-          disk_energy(r, late, true), 0.99, 1.005);
+          disk_energy(r, late, true), 0.99, 1.001);
     Table *reference = results_file(r, "reference"), *plate = results_file(r, "plate");
     hole_measure(reference, 256, plate, 32, &rms, &scatter);
     table_free(reference);

@@ -45,9 +45,9 @@ static const char *part_label(int part)
     return part == WHOLE ? "all" : parts[part].setting;
 }
 
-static char *file_part(char text[64], int scene, const char *what)
+static char *file_part(char text[96], int scene, const char *what)
 {
-    snprintf(text, 64, "%s.%s", scenes[scene].problem, what);
+    snprintf(text, 96, "%s.%s", scenes[scene].problem, what);
     return text;
 }
 
@@ -55,7 +55,7 @@ static char *file_part(char text[64], int scene, const char *what)
 static void add_scene(Cases *list, int scene, const char *method, const char *what, const char *set,
                       bool quick)
 {
-    char part[64], end[48] = "", line[320];
+    char part[96], end[48] = "", line[320];
     const int n = quick ? scenes[scene].quick : scenes[scene].cells;
     if (scene == BLOCK)
         snprintf(end, sizeof end, " --t-end %.17g",
@@ -105,7 +105,7 @@ static Measure value_of(const Table *rows, const char *problem, int n, int part,
 /* From a history: sqrt(K/K_0) at its end, or |E/E_0 - 1|. */
 static Measure history_end(const Results *r, int scene, const char *what)
 {
-    char part[64];
+    char part[96];
     const char *column = scene == BLOCK ? "kinetic" : "total";
     Table *h = results_file(r, file_part(part, scene, what));
     const int last = h ? h->nrow - 1 : 0;
@@ -118,7 +118,7 @@ static Measure history_end(const Results *r, int scene, const char *what)
 static Measure plate_rms(const Results *r, const char *what)
 {
     Measure rms = measure_sum_of(RIM), scatter = measure_sum_of(RIM);
-    char part[64];
+    char part[96];
     Table *fine = results_file(r, "reference");
     Table *plate = results_file(r, file_part(part, PLATE, what));
     hole_measure(fine, FINE, plate, scenes[PLATE].cells, &rms, &scatter);
