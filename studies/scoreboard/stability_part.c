@@ -89,8 +89,8 @@ static double ring_limit(const Table *t, const char *method)
     const char *layout = strstr(method, "wls") ? "radial" : "cartesian";
     double lost = INFINITY, most = NAN;
     for (int pass = 0; t && pass < 2; pass++)
-        for (int row = -1; (row = select_next(t, row, "method=%s layout=%s cells=32", method,
-                                              layout)) >= 0;) {
+        for (int row = -1;
+             (row = select_next(t, row, "method=%s layout=%s cells=32", method, layout)) >= 0;) {
             const double cfl = select_number(t, row, "cfl");
             if (pass == 0 && select_is_lost(t, row)) lost = fmin(lost, cfl);
             if (pass == 1 && cfl < lost) most = fmax(isnan(most) ? 0 : most, cfl);
@@ -175,7 +175,8 @@ static void worse(FILE *f, const Table *t, const char *method, const char *remed
         const Mark before = mark_read(select_text(t, row, "before"));
         const Mark after = mark_read(select_text(t, row, "after"));
         if (after < before) continue;
-        page_element(f, "; ", select_text(t, row, "case"), after > before ? " worse" : " no better");
+        page_element(f, "; ", select_text(t, row, "case"),
+                     after > before ? " worse" : " no better");
         const char *note = select_text(t, row, "note");
         if (*note) page_element(f, " (", note, ")");
     }
