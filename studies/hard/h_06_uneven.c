@@ -118,16 +118,17 @@ static void check(Check *c, const Results *r)
     claim(c, "H6.exact", "GE, APIC, TPIC, WLS: a linear field from any particles, largest error",
           curve_worst(t, "ge_mpm ge_gimp apic tpic wls wls2", 2 * JITTERS, "error", "case=H6"), 0,
           1e-12);
-    claim(c, "H6.tent", "tents are worst: error of MPM over GIMP's, jitter 0.5",
+    claim(c, "H6.tent",
+          "tents and GIMP are equally bad on strongly jittered particles: error of MPM over GIMP's",
           measure_ratio(select_value(t, "error", "case=H6 method=mpm x=0.5 grading=1"),
                         select_value(t, "error", "case=H6 method=gimp x=0.5 grading=1")),
-          1, 5);
+          0.9, 1.2);
     claim(c, "H7.tent", "tents with half a particle per cell have empty nodes: error of the bar",
-          few_error(t, 0, "mpm", 0.5), USABLE, 10);
+          few_error(t, 0, "mpm", 0.5), 0.5, 2);
     claim(c, "H7.gimp", "GIMP, whose boxes reach beyond h/2, has none: error of the bar",
           few_error(t, 0, "gimp", 0.5), 0, USABLE);
     claim(c, "H7.plane", "GIMP in 2D with half a particle per axis has too few: error",
-          few_error(t, 1, "gimp", 0.5), USABLE, 10);
+          few_error(t, 1, "gimp", 0.5), 0.5, 3);
     for (int m = 0; m < 2; m++)
         for (int k = 0; k < 2; k++) {
             const double e = few_error(t, 1, m ? "wls2" : "wls", few[k]).value;
@@ -138,7 +139,7 @@ static void check(Check *c, const Results *r)
           4);
     claim(c, "H7.wls-one",
           "WLS in 2D with one particle per axis falls back (W11 eq 14): number of fallbacks",
-          select_value(t, "fallbacks", "case=H7 problem=axis_mms method=wls x=1"), 1, 1e6);
+          select_value(t, "fallbacks", "case=H7 problem=axis_mms method=wls x=1"), 1, 100);
 }
 
 const Study study_h_06_uneven = {
