@@ -37,12 +37,17 @@ objects = $(patsubst %.c,$(BUILD)/d$(1)/%.o,$(DIMMED) $(PROBLEMS_$(1)) $(FEM_$(1
 FREE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(FREE))
 BASE_OBJECTS = $(filter $(BUILD)/common/base/%,$(FREE_OBJECTS))
 
-.PHONY: all deps deps-extra test quick figures bench rank san lint mutants faults install uninstall builds repeat memcheck \
+.PHONY: help all deps deps-extra test quick figures bench rank san lint mutants faults install uninstall builds repeat memcheck \
   coverage objects fuzz fuzzers clean force
 .DELETE_ON_ERROR:
 .SECONDARY:
 
-all: $(BUILD)/mpmlab
+all: $(BUILD)/mpmlab ## the program, build/mpmlab
+
+# The targets that carry a text after two #, in the order of this file.
+help:
+	@sed -nE 's/^([a-z -]+):[^#]*## (.*)/\1|\2/p' $(firstword $(MAKEFILE_LIST)) | \
+	  while IFS='|' read -r name text; do printf '%-12s %s\n' "$$name" "$$text"; done
 
 # $(call sum,ROOM ...): a shell command that prints the checksum of all files of these rooms, names included.
 sum = for room in $(1); do \
@@ -87,7 +92,7 @@ $(foreach d,1 2 3,$(eval $(call dimension,$(d))))
 # make figures QUICK=--quick: all figures from short runs, in minutes, without verdicts
 QUICK =
 
-figures:
+figures: ## all studies, claims and build/out/index.html
 	@$(MAKE) --no-print-directory -j$(JOBS) all
 	$(BUILD)/mpmlab study all $(QUICK) --jobs $(JOBS)
 	$(if $(QUICK),,$(BUILD)/mpmlab claims)
@@ -103,9 +108,9 @@ FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/fuzz/%.o,fuzz_run fuzz_sweep fuzz_fil
 CORE_DIMS   = 1 2 3
 CORE        = fixture $(TEXTBOOK) $(patsubst %,core/test_%,textbook material exact domains_and_strain) \
               methods/test_shapes methods/test_methods problems/test_mass run/test_status run/test_measures run/test_ledger \
-              $(patsubst %,core/test_%,moment_pass invariants hard on_nodes sort_and_walls dynamics rules)
-CORE_1      = core/main_dim $(CORE) $(patsubst %,methods/test_wls_%,hand symbols cut) core/test_published_errors \
-              problems/test_column
+              $(patsubst %,core/test_%,sort_and_walls dynamics)
+CORE_1      = core/main_dim $(CORE) $(patsubst %,methods/test_wls_%,hand symbols cut) problems/test_column \
+              $(patsubst %,core/test_%,moment_pass invariants hard on_nodes rules published_errors)
 CORE_2      = $(CORE_1)
 CORE_3      = core/main_3d $(CORE) problems/test_shell fem_ref/test_tetrahedra
 TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_filter textbook_make)
@@ -142,7 +147,7 @@ $(BUILD)/tests/fem $(BUILD)/tests/wls $(BUILD)/tests/scenes: $(BUILD)/tests/chec
 RUN_UNITS = for t in $(UNIT_TESTS); do \
   (cd $(BUILD)/tests && OMP_WAIT_POLICY=passive $(CURDIR)/$$t) || exit 1; done
 
-test:
+test: ## every test
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(CLI_TEST)
 	$(SWEEP_TEST)
@@ -155,7 +160,7 @@ test:
 	@$(RUN_UNITS)
 
 # Those of the program's own code, for sanitizers.
-quick:
+quick: ## the tests of the program itself, without installation and examples
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(CLI_TEST)
 	$(SWEEP_TEST)
@@ -163,7 +168,7 @@ quick:
 	@$(RUN_UNITS)
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
-bench: all $(BUILD)/tests/bench
+bench: all $(BUILD)/tests/bench ## speed: figure T-3, and instructions if valgrind is installed
 	@$(MAKE) -s BUILD=$(BUILD)/avx2 ARCH=-march=x86-64-v3 all
 	BUILD=$(BUILD) bash tests/tools/bench.sh
 
@@ -172,35 +177,35 @@ $(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,tools/bench $(TEXTBOOK)
 	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
 # Seeded faults in all parts of the program, a line each in tests/tools/mutants.list: the tests must see each.
-mutants:
+mutants: ## seeded faults, each of which a test must see
 	JOBS=$(JOBS) bash tests/tools/mutants.sh $(BUILD)/mutants
 
 # Does a second run of the speed-against-error study rank the methods as the first did?
-rank: all
+rank: all ## does a second run rank the methods by speed as the first did?
 	bash tests/tools/rank.sh $(BUILD)/mpmlab $(BUILD)/tests
 
-lint:
+lint: ## conventions, warnings of gcc and clang, public names
 	BUILD=$(BUILD)/lint bash tests/tools/lint.sh
 
 # The same tests under the address and undefined-behaviour sanitizers.
-san:
+san: ## fuzzing for seconds, then the tests under sanitizers
 	$(MAKE) fuzz SECONDS=2
 	$(MAKE) BUILD=$(BUILD)/san ARCH= OPT='-O1 -fno-omit-frame-pointer' \
 	  SAN=-fsanitize=address,undefined quick
 
 # What takes minutes, each ending in a line of counts.
-builds repeat memcheck coverage:
+builds repeat memcheck coverage: ## portable builds; results twice; valgrind; lines that tests reach
 	bash tests/tools/$@.sh $(BUILD)/$@
 
 # All faults, a hundred kills among them (minutes).
-faults: all
+faults: all ## a full and a read-only disk, a hundred kills
 	$(FAULT_TEST) 100 long
 
 # Bytes that break a property of what reads input: SECONDS for each; corpora stay in build/fuzz.
 FUZZERS = run set case journal table append sweep
 SECONDS = 60
 
-fuzz:
+fuzz: ## broken inputs, SECONDS for each reader
 	SECONDS_EACH=$(SECONDS) bash tests/tools/fuzz.sh $(BUILD)/fuzz $(FUZZERS)
 
 # make fuzzers BUILD=... CC=clang SAN=...: the programs alone (fuzz.sh asks for them)
@@ -213,7 +218,7 @@ $(FUZZERS:%=$(BUILD)/tests/fuzz_%): $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz/f
 	$(call SHOW,LD)$(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
 
 # Every source compiled, for lint.
-objects: all $(UNIT_TESTS) $(BUILD)/tests/bench $(FUZZERS:%=$(BUILD)/tests/fuzz/fuzz_main_%.o)
+objects: all $(UNIT_TESTS) $(BUILD)/tests/bench $(FUZZERS:%=$(BUILD)/tests/fuzz/fuzz_main_%.o) ## every source compiled, for lint
 
 # The program looks for its plots beside itself, in ../share.
 PREFIX  = /usr/local
@@ -222,7 +227,7 @@ SHARED  = $(INSTALL)/share/mpmlab
 MANUALS = $(INSTALL)/share/man/man1
 WORDS   = $(INSTALL)/share/bash-completion/completions
 
-install: all
+install: all ## to PREFIX (/usr/local)
 	install -D -m 755 $(BUILD)/mpmlab "$(INSTALL)/bin/mpmlab"
 	install -d "$(SHARED)/plots" "$(MANUALS)" "$(WORDS)"
 	for room in . w07 w11 own hard; do install -d "$(SHARED)/plots/$$room" && \
@@ -231,19 +236,19 @@ install: all
 	$(BUILD)/mpmlab --man > "$(MANUALS)/mpmlab.1"
 	$(BUILD)/mpmlab --completion > "$(WORDS)/mpmlab"
 
-uninstall:
+uninstall: ## the reverse
 	rm -f "$(INSTALL)/bin/mpmlab" "$(MANUALS)/mpmlab.1" "$(WORDS)/mpmlab"
 	rm -rf "$(SHARED)"
 
-deps:
+deps: ## packages that the program and its tests need (apt)
 	@bash tests/tools/deps.sh gcc make binutils libc6-dev libgsl-dev libjansson-dev zlib1g-dev \
 	  libcunit1-dev gnuplot-nox fonts-dejavu-core man-db $(if $(findstring clang,$(CC)),clang libomp-dev)
 
-deps-extra:
+deps-extra: ## packages for lint, san, fuzz, memcheck
 	@bash tests/tools/deps.sh -o clang clang-tidy clang-format cppcheck valgrind shellcheck libclang-rt-dev \
 	  libomp-dev python3-vtk9 python3-numpy chromium chromium-driver curl parallel slurm-wlm munge ccache
 
-clean:
+clean: ## remove the build folder
 	rm -rf $(BUILD)
 
 -include $(DEPENDS)

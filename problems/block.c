@@ -151,7 +151,7 @@ static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fiel
         }
 }
 
-/* Of a block without stress; else nobody knows. */
+/* Known for a block without stress only; NAN otherwise. */
 static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
 {
     const double strange = fabs(s->par[STRETCH] - 1) + fabs(s->par[ANGLE]) + fabs(s->par[RIPPLE]);

@@ -53,7 +53,7 @@ static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fiel
     }
 }
 
-/* Rings at mid radii, and surface particles on the circle (PHYSICS 9). */
+/* Rings at mid radii, and surface particles on the circle. */
 static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
 {
     if (!fitted) return false;

@@ -4,6 +4,32 @@
 #include <stdlib.h>
 #include <string.h>
 
+#undef CU_assertImplementation
+
+static char context[512];
+
+void check_context(int dim, const char *scene, const char *method, const char *integrator,
+                   const char *settings)
+{
+    snprintf(context, sizeof context, " [%dD: scene %s, method %s, integrator %s%s%s]", dim,
+             scene ? scene : "of the test", method && *method ? method : "default",
+             integrator && *integrator ? integrator : "default", settings ? ", " : "",
+             settings ? settings : "");
+}
+
+static void clear_context(void)
+{
+    context[0] = 0;
+}
+
+CU_BOOL check_assert(CU_BOOL holds, unsigned line, const char *condition, const char *file,
+                     const char *function, CU_BOOL fatal)
+{
+    char text[2048];
+    snprintf(text, sizeof text, "%s%s", condition, context);
+    return (CU_assertImplementation)(holds, line, text, file, function, fatal);
+}
+
 /* Is the test to be run: is the value of ONLY a part of "suite: test"? */
 static int is_chosen(const TestSuite *suite, const TestCase *test)
 {
@@ -18,7 +44,9 @@ static int add_suite(const TestSuite *suite)
     CU_pSuite s = NULL;
     for (const TestCase *t = suite->tests; t->name; t++) {
         if (!is_chosen(suite, t)) continue;
-        if (!s && !(s = CU_add_suite(suite->name, NULL, NULL))) return 0;
+        if (!s && !(s = CU_add_suite_with_setup_and_teardown(suite->name, NULL, NULL, clear_context,
+                                                             NULL)))
+            return 0;
         if (!CU_add_test(s, t->name, t->run)) return 0;
     }
     return 1;

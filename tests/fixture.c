@@ -23,6 +23,10 @@ RunSpec rig_spec(const Case *c, const char *method, const char *integrator, cons
     strcpy(spec.problem, c->problem);
     if (method) strcpy(spec.method, method);
     if (integrator) strcpy(spec.integrator, integrator);
+    char settings[256];
+    snprintf(settings, sizeof settings, "cells %g, ppc %g%s%s%s%s", c->cells, c->ppc,
+             c->set ? ", " : "", c->set ? c->set : "", more ? ", " : "", more ? more : "");
+    check_context(DIM, c->problem, method, integrator, settings);
     set_all(&spec, c->set);
     set_all(&spec, more);
     return spec;
@@ -41,6 +45,8 @@ void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator 
                int cells, double ppc)
 {
     char why[128];
+    check_context(DIM, problem->info.name, method->info.name, step_integrators[integrator].name,
+                  NULL);
     *r = (Rig){.plan = {.scene = {.problem = problem, .cell = 1.0 / cells}}};
     Plan *plan = &r->plan;
     plan->scene.par = plan->problem_par;

@@ -55,7 +55,7 @@ static int edit_distance(const char *a, const char *b)
     int rows[3][LONGEST_NAME + 1] = {{0}}, *last = rows[0], *row = rows[1], *next = rows[2];
     const int nb = (int)strnlen(b, LONGEST_NAME);
     for (int j = 0; j <= nb; j++) row[j] = j;
-    for (int i = 0; i < 2 * LONGEST_NAME && a[i]; i++) { /* nobody means a name by more */
+    for (int i = 0; i < 2 * LONGEST_NAME && a[i]; i++) { /* a longer word is no misspelt name */
         next[0] = i + 1;
         for (int j = 0; j < nb; j++) {
             next[j + 1] = min2(row[j] + !same_letter(a[i], b[j]), min2(row[j + 1], next[j]) + 1);

@@ -80,14 +80,14 @@ struct Sim;
 
 typedef struct Method {
     Info info;
-    unsigned valid;          /* bit per Integrator: published or proven sound */
-    unsigned valid_fresh;    /* more of them with refresh=1 */
-    int integrator[4];       /* default by dimension, [0] unused */
-    bool keeps_L;            /* the particle carries its velocity gradient from step to step */
-    bool affine;             /* payload fills B */
-    bool moments;            /* update also reads, and B holds, moments of v about the particle */
+    unsigned valid;       /* bit per Integrator: published or proven sound */
+    unsigned valid_fresh; /* more of them with refresh=1 */
+    int integrator[4];    /* default by dimension, [0] unused */
+    bool keeps_L;         /* the particle carries its velocity gradient from step to step */
+    bool affine;          /* payload fills B */
+    bool moments;         /* update also reads, and B holds, moments of v about the particle */
     double pic; /* share of v_p that update replaces by sum_i S v_i: 0 FLIP, 1 PIC and filters */
-    bool turns;              /* keeps angular momentum, sum m (x x v) + its moments */
+    bool turns; /* keeps angular momentum, sum m (x x v) + its moments */
     bool linear_exact;       /* projects linear fields exactly from any particle set */
     bool surface;            /* needs surface particles: */
     double surface_per_cell; /* so many along a cell's length; 0: as dense as particles */
@@ -135,7 +135,7 @@ typedef struct Method {
     void (*adapt)(const double par[], struct Method *own);
 } Method;
 
-/* NULL-terminated, in registry order; methods/registry.c. */
+/* All methods in the order of methods/methods.def, ended by NULL. */
 extern const Method *const methods[];
 
 #endif

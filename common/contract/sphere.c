@@ -1,6 +1,7 @@
 /* sphere.c: see sphere.h. */
 #include "sphere.h"
 #include <math.h>
+#include "problem.h"
 
 void sphere_turn(const double axis[3], double angle, Mat turn)
 {

@@ -5,7 +5,6 @@
 #define MPMLAB_SPHERE_H
 
 #include "layout.h"
-#include "problem.h"
 
 /* Rotation by `angle` [rad] about `axis` (any length), row-major; the identity but in 3D. */
 void sphere_turn(const double axis[3], double angle, Mat turn);

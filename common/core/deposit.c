@@ -39,7 +39,7 @@ double sim_distance(const Sim *sim, const int index[DIM], double t)
     return scene->problem->distance ? scene->problem->distance(scene, x, t) * sim->g.cells : NAN;
 }
 
-/* Stress of a chunk as momentum flux V0 J sigma / h [N], or none. */
+/* T = V0 J sigma / h [N], the momentum flux of a chunk; 0 in passes without forces. */
 static void chunk_stress(const Sim *sim, const Chunk *c, bool force, Field T[NMAT])
 {
     Field weight;
@@ -64,7 +64,7 @@ static void deposit_round(Sim *sim, int k, Work *w)
     const Chunk c = sim_chunk(sim, k);
     const int width = make_stencils(sim, &c, w);
     for (int p = 0; p < CHUNK; p++) {
-        w->A[p] = (Line){0}; /* the spare lanes too: the ledger reads them, times nothing */
+        w->A[p] = (Line){0}; /* the spare lanes too: the ledger multiplies them by 0 */
         w->A[p][0] = c.m[p];
         for (int a = 0; a < DIM; a++) w->A[p][1 + a] = c.m[p] * c.w[a][p];
     }
@@ -74,7 +74,7 @@ static void deposit_round(Sim *sim, int k, Work *w)
         deposit_half(&sim->g, w, width);
 }
 
-/* What the particles of a chunk give, in w->A and w->B. */
+/* Fills w->A and w->B with the deposit of a chunk. */
 static void make_payload(const Sim *sim, const Chunk *c, bool force, int width, Work *w)
 {
     const Method *method = &sim->method;
@@ -120,13 +120,13 @@ static void deposit_slopes(Sim *sim, int k, Work *w)
     const int width = make_stencils(sim, &c, w);
     if (!w->on_node) return;
     make_payload(sim, &c, true, width, w);
-    deposit_on_nodes(sim, w);
+    on_node_deposit(sim, w);
 }
 
 typedef enum { ALL, ON_NODES } Which;
 
-/* Even blocks, then odd blocks: two of one parity never meet, so sums have one order. Returns
- * whether some particle lies on a node. */
+/* Even blocks, then odd blocks: blocks of equal parity share no node, so every node's sum is formed
+ * in the same order for any number of threads. Returns true if some particle lies on a node. */
 static bool deposit_blocks(Sim *sim, double t, Deposit what, Which which)
 {
     bool on_node = false;
@@ -158,6 +158,6 @@ void deposit_all(Sim *sim, double t, Deposit what)
         return;
     }
     if (!deposit_blocks(sim, t, what, ALL) || what == ROUND) return;
-    mark_body(sim);
+    on_node_mark_body(sim);
     if (what == FORCES) deposit_blocks(sim, t, what, ON_NODES);
 }

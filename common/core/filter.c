@@ -3,7 +3,7 @@
  * Hammerquist & Nairn 2017; Nairn & Hammerquist 2021. Each round is a gather and a deposit more. */
 #include "passes.h"
 
-/* Lanes of what a node puts aside: the sum, v and a as they were, the real particles' mass. */
+/* Lanes of Grid.keep: the sum, v and a before filtering, the mass of the real particles. */
 enum { K_SUM = 0, K_V = DIM, K_A = 2 * DIM, K_MASS = LANES - 1 };
 
 typedef void VisitNode(Line *node, Line *keep, double c, double impulse[DIM]);
@@ -27,7 +27,7 @@ static void note_mass(Line *node, Line *keep, double c, double impulse[DIM])
     (*keep)[K_MASS] = (*node)[1 + DIM];
 }
 
-/* The rounds run on v - dt a; dt is 0 where the accelerated velocity is filtered. */
+/* Starts the sum. The rounds filter v - dt a; dt = 0 if the accelerated velocity is filtered. */
 static void open_sum(Line *node, Line *keep, double dt, double impulse[DIM])
 {
     (void)impulse;
@@ -45,7 +45,8 @@ static void add_round(Line *node, Line *keep, double c, double impulse[DIM])
     for (int a = 0; a < DIM; a++) (*keep)[K_SUM + a] += c * (*node)[a];
 }
 
-/* Particle velocities come from the lanes of a; books what walls took on the way. */
+/* Puts the filtered velocity into the lanes of a, where particle velocities come from, and adds the
+ * momentum that walls absorbed during the rounds to `impulse`. */
 static void close_sum(Line *node, Line *keep, double dt, double impulse[DIM])
 {
     for (int a = 0; a < DIM; a++) {

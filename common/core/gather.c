@@ -1,4 +1,4 @@
-/* gather.c: nodes to particles, and a look at what became of them (passes.h). */
+/* gather.c: nodes to particles, and the check of the moved particles (passes.h). */
 #include "half_line.h"
 #include "moments.h"
 #include "passes.h"
@@ -11,7 +11,7 @@ typedef struct Extremes {
     int bad;
 } Extremes;
 
-/* The moved distance, half widths and faults of a chunk after its update. */
+/* Distance moved, half widths and faults of a chunk after its update. */
 static inline __attribute__((always_inline)) void
 inspect_by(const Domain domain, const Sim *sim, const Chunk *c, const Work *w, Extremes *e)
 {
@@ -71,7 +71,7 @@ static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Ext
     const Chunk c = sim_chunk(sim, k);
     const int width = make_stencils(sim, &c, w);
     gather_line(&sim->g, w, width, T_G);
-    if (w->on_node && sim->g.body) gather_on_nodes(sim, w);
+    if (w->on_node && sim->g.body) on_node_gather(sim, w);
     unpack_sums(w, 0, sim->g.cells);
     if (method->moments) gather_moments(sim, w, width);
     const bool own_strain = take & TAKE_F && sim->setup->strain != STRAIN_LINEAR;
@@ -115,8 +115,7 @@ void gather_velocity(Sim *sim)
     }
 }
 
-/* Gathers everywhere; keeps the extremes of the run's state. Returns whether anything went wrong.
- */
+/* Gathers to all particles and updates travel and half_now. Returns true if any went wrong. */
 bool gather_all(Sim *sim, double dt, unsigned take)
 {
     double move = 0, half = 0;

@@ -36,7 +36,7 @@ static bool lies_on_node(const Stencil *s, int p)
     return s->table[T_S][0][p] * s->table[T_S][1][p] < ON_NODE;
 }
 
-bool clear_slopes_on_nodes(Stencil *s)
+bool on_node_clear_slopes(Stencil *s)
 {
     for (int p = 0; p < CHUNK; p++)
         if (lies_on_node(s, p)) s->table[T_G][0][p] = s->table[T_G][1][p] = 0;
@@ -64,7 +64,7 @@ static void unfold_mark(Sim *sim, const Mirror *m, size_t ghost, size_t image, i
     sim->g.body[ghost] = sim->g.body[image];
 }
 
-void mark_body(Sim *sim)
+void on_node_mark_body(Sim *sim)
 {
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < sim->g.rows; row++)
@@ -122,7 +122,7 @@ static Slopes find_slopes(const Grid *g, const Stencil s[DIM], int p, int d)
     return out;
 }
 
-void deposit_on_nodes(Sim *sim, const Work *w)
+void on_node_deposit(Sim *sim, const Work *w)
 {
     Grid *g = &sim->g;
     for (int p = 0; p < CHUNK; p++)
@@ -137,7 +137,7 @@ void deposit_on_nodes(Sim *sim, const Work *w)
         }
 }
 
-void gather_on_nodes(const Sim *sim, Work *w)
+void on_node_gather(const Sim *sim, Work *w)
 {
     const Grid *g = &sim->g;
     for (int p = 0; p < CHUNK; p++)

@@ -27,14 +27,15 @@ void gather_start_moments(Sim *sim);
 void gather_velocity(Sim *sim);
 
 /* Tents and particles on nodes: the slope there; on_node.c. After a deposit that saw such particles
- * mark_body notes which nodes are the body's; then they give their stress, and later gather L.
- * (Their stencils: sim.h.) */
-void mark_body(Sim *sim);
-void deposit_on_nodes(Sim *sim, const struct Work *w);
-void gather_on_nodes(const Sim *sim, struct Work *w);
+ * on_node_mark_body notes which nodes are the body's; then they give their stress, and later gather
+ * L. (Their stencils: sim.h.) */
+void on_node_mark_body(Sim *sim);
+void on_node_deposit(Sim *sim, const struct Work *w);
+void on_node_gather(const Sim *sim, struct Work *w);
 
 /* The method's filter of the grid velocity, after the nodes' equations; filter_open comes between
- * deposit and equations. takes_v: what walls take meanwhile is booked; filter.c. */
+ * deposit and equations. takes_v: this pass updates particle velocities, so momentum that
+ * walls absorb during filter rounds is added to sim->impulse; filter.c. */
 void filter_open(Sim *sim);
 void filter_all(Sim *sim, double dt, bool takes_v);
 

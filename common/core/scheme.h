@@ -79,7 +79,7 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
     for (int d = 0; d < DIM; d++) {
         w->stencil[d].on_node = false;
         method->shape(&sim->g.axis[d], width, w->x[d], w->b[d], &w->stencil[d]);
-        if (w->stencil[d].on_node) w->on_node = clear_slopes_on_nodes(&w->stencil[d]);
+        if (w->stencil[d].on_node) w->on_node = on_node_clear_slopes(&w->stencil[d]);
     }
     return width;
 }

@@ -156,9 +156,9 @@ static void set_walls(Sim *sim)
     }
 }
 
-/* Nodes with less than this part of a particle's mass are empty. With C1 weights the force falls as
- * the root of the mass: light nodes are safe. With tents it does not fall, but on_node.c takes it
- * from nodes reached by less than ON_NODE along an axis. WLS integrates masses over cells. */
+/* Nodes with less than this fraction of a particle's mass count as empty. With C1 weights the force
+ * falls as sqrt(mass), so light nodes are safe. With tents it does not fall, but on_node.c removes
+ * it from nodes reached by less than ON_NODE along an axis. WLS integrates masses over cells. */
 static double least_part(const Method *method)
 {
     if (method->smooth) return 1e-24;

@@ -113,7 +113,7 @@ bool sim_is_valid(const Sim *sim);
 void sim_sort(Sim *sim);
 
 /* G = 0 for particles on nodes, whose slope is not the tent's; returns true; on_node.c. */
-bool clear_slopes_on_nodes(Stencil *stencil);
+bool on_node_clear_slopes(Stencil *stencil);
 
 /* What particles receive from a node of mass m in one pass: momentum m (a_share a + v_share v). */
 typedef struct Given {
@@ -122,7 +122,8 @@ typedef struct Given {
 
 /* Symmetry: ghosts beyond each mirror line are added to their images (fold, after a deposit; body
  * force too) and filled from them (unfold, before a gather); mirror.c. All by parity per component,
- * so that no method knows of it. unfold also books what the ghosts' share of momentum received. */
+ * so that no method knows of it. unfold also adds the momentum that real particles receive from
+ * ghost nodes to the ledger. */
 void mirror_fold(Sim *sim);
 typedef void PairVisit(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
                        void *own);

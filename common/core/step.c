@@ -1,4 +1,4 @@
-/* step.c: see step.h. PHYSICS of the integrators: W11 4.6-4.7 (cd), Wallstedt & Guilkey 2008 (uvf),
+/* step.c: see step.h. The integrators: W11 4.6-4.7 (cd), Wallstedt & Guilkey 2008 (uvf),
  * Sulsky et al. 1995 (musl), Bardenhagen 2002 (usl, usf).
  *
  * An integrator is a list of passes; each deposits (with forces or without), solves on the grid and
@@ -55,9 +55,14 @@ const Info step_integrators[INTEGRATORS] = {
              .formula = "F += dt L F with the projected v, then v += dt a, x += dt S v"},
 };
 
-bool integrator_half_first(Integrator i)
+bool step_half_first(Integrator i)
 {
     return integrators[i].half_first;
+}
+
+bool step_strain_first(Integrator i)
+{
+    return !integrators[i].pass[0].force && integrators[i].pass[0].take & TAKE_F;
 }
 
 Status sim_check(const Sim *sim)
@@ -85,7 +90,7 @@ Status sim_check(const Sim *sim)
     return worst;
 }
 
-/* No node has mass under any particle: the lowest id stands for all. */
+/* The status if no node has mass; it names the particle of lowest id. */
 static Status without_support(const Sim *sim)
 {
     int first = INT_MAX;
@@ -94,10 +99,11 @@ static Status without_support(const Sim *sim)
     return (Status){SINGULAR, first, 0};
 }
 
-/* Stencils stay within the live spans while nobody drifted a cell or outgrew the planned width. */
+/* Sorts before any particle has drifted a cell or outgrown the planned width, so that stencils stay
+ * within the live spans. */
 static void sort_if_due(Sim *sim)
 {
-    if (isinf(sim->travel)) sim->status = sim_check(sim); /* the start is the scene's */
+    if (isinf(sim->travel)) sim->status = sim_check(sim); /* first step: check the initial state */
     if (sim->status.code == OK && (sim->travel > 1 || sim->half_now > sim->half_plan))
         sim_sort(sim);
 }

@@ -9,7 +9,10 @@
 extern const Info step_integrators[INTEGRATORS];
 
 /* Does its first step take half the acceleration, so that velocities live half a step after t? */
-bool integrator_half_first(Integrator i);
+bool step_half_first(Integrator i);
+
+/* True if F follows the velocities before they are accelerated (usf). */
+bool step_strain_first(Integrator i);
 
 /* One step from t to t + dt [s]; `first` takes the half first step where the integrator has one.
  * Returns the first thing that went wrong (lowest particle id), with the particles left as they

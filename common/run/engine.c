@@ -136,6 +136,13 @@ static int describe(const char *name, FILE *out)
     return -1;
 }
 
+static int has_exact(const char *name)
+{
+    for (const Problem *const *p = problems; *p; p++)
+        if (strcmp((*p)->info.name, name) == 0) return (*p)->exact != NULL;
+    return 0;
+}
+
 /* A chunk of one position; the other 63 see the same. */
 static int weight(const char *name, double x, double l, double *S, double *G)
 {
@@ -169,5 +176,6 @@ const Engine ENGINE_NAME = {
     .resolve = resolve,
     .run = run_spec,
     .describe = describe,
+    .has_exact = has_exact,
     .weight = weight,
 };

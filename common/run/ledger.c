@@ -1,152 +1,101 @@
-/* ledger.c: energy, momentum, work and errors of a run, instant by instant (loop.h). */
-#include <float.h>
+/* ledger.c: see ledger.h. Sums run in slot order, which no number of threads changes. */
 #include <math.h>
-#include <stdlib.h>
-#include "loop.h"
-#include "common/core/step.h"
+#include "ledger.h"
 
-static Points points_of(const Loop *l)
+double ledger_kinetic(const Points *p)
 {
-    Points p;
-    Samples q;
-    l->plan->solver->view(l->self, &p, &q);
-    return p;
+    double sum = 0;
+    for (int k = 0; k < p->n; k++) {
+        double square = 0;
+        for (int d = 0; d < DIM; d++) square += p->v[d][k] * p->v[d][k];
+        sum += 0.5 * p->m[k] * square;
+    }
+    return sum;
 }
 
-Side measure_side(const Loop *l)
+double ledger_strain(const Scene *scene, const Samples *q, Scratch *s)
 {
-    const Points p = points_of(l);
-    Side s;
-    s.kinetic = ledger_kinetic(&p);
-    s.mv = ledger_momentum(&p, s.p);
-    return s;
+    double sum = 0;
+    material_stored_energy(&scene->mat, q->n, q->F, s->w);
+    for (int k = 0; k < q->n; k++) sum += q->V0[k] > 0 ? q->V0[k] * s->w[k] : 0;
+    return sum;
 }
 
-void measure_state(Loop *l, Moment *m)
+double ledger_work(const Scene *scene, const Points *p, ConstFields from, double t, Scratch *s)
 {
-    Points p;
-    Samples q;
-    l->plan->solver->view(l->self, &p, &q);
-    m->strain = ledger_strain(&l->plan->scene, &q, &l->scratch);
-    if (!l->history) return;
-    const Volumes v = ledger_volumes(&q);
-    m->volume = v.sum;
-    m->least_J = v.least;
-    m->most_J = v.most;
-    ledger_angular_momentum(&p, m->angular);
-}
-
-/* The larger number; NAN, which stands for nothing measured so far, is less than any. */
-static double larger(double a, double b)
-{
-    return a >= b || isnan(b) ? a : b;
-}
-
-/* Kinetic energy of the change of velocity in a step, at least: sum m |dv|^2/2 [J]. */
-static double of_change(const Side *before, const Side *after)
-{
-    return pow(sqrt(after->kinetic) - sqrt(before->kinetic), 2);
-}
-
-/* Integrators without a half first step move points as if the scene's velocity were that of
- * t = -dt/2: they start from the energy of the velocity half a step later. The mean of two kinetic
- * energies exceeds that of the mean velocity by a quarter of the change's. */
-void record_start(Loop *l, const Side *before, const Side *after, double strain)
-{
-    const double mean = 0.5 * (before->kinetic + after->kinetic) - 0.25 * of_change(before, after);
-    const bool half_first = integrator_half_first(l->plan->setup.integrator);
-    const Points p = points_of(l);
-    l->base = (half_first ? before->kinetic : mean) + strain;
-    l->noise = 0;
-    for (int k = 0; k < p.n; k++) l->noise += 16 * DBL_EPSILON * p.m[k] * pow(l->plan->scene.c, 2);
-}
-
-/* Growth is what K + S - W has above its start beyond 5 % of the largest K + S so far, and beyond
- * what time steps leave open, which is all there is in the first steps from rest: the mean of
- * K(n-1/2) and K(n+1/2) exceeds K at t_n by a quarter of the energy of_change, and under a force
- * that rises from nothing the trapezoidal rule misses as much of W. The stored
- * energy per volume is a difference of numbers of the size of the moduli, rho c^2: growth is beyond
- * their round-off, too, which is all there is in a body at rest. */
-static bool is_growth(const Loop *l, const Side *before, const Side *after)
-{
-    const double open = 0.5 * of_change(before, after);
-    return l->now - l->base - open > 0.05 * l->largest + l->noise;
-}
-
-/* The point to blame where there is too much energy. */
-static void note_growth(Loop *l)
-{
-    const Points p = points_of(l);
-    l->growth_step = l->done;
-    l->fastest = ledger_fastest_point(&p, &l->speed);
-}
-
-void record_energy(Loop *l, Moment *m, const Side *before, const Side *after)
-{
-    const double stored = m->kinetic + m->strain;
-    m->work = l->work;
-    l->now = stored - l->work;
-    if (l->instants++ == 0) l->start = l->now;
-    l->largest = larger(l->largest, stored);
-    if (l->growth_step < 0 && l->done > 0 && is_growth(l, before, after)) note_growth(l);
-    if (l->history) output_history_line(l->history, m);
-}
-
-void record_momentum(Loop *l, const Side *after)
-{
-    Vec impulse;
-    double square = 0;
-    l->plan->solver->impulse(l->self, impulse);
-    for (int d = 0; d < DIM; d++) square += pow(after->p[d] - l->p0[d] - impulse[d], 2);
-    l->drift = larger(l->drift, sqrt(square));
-    l->momentum = larger(l->momentum, after->mv);
-}
-
-void record_errors(Loop *l, Errors e)
-{
-    l->worst.linf = larger(l->worst.linf, e.linf);
-    l->worst.l2 = larger(l->worst.l2, e.l2);
-    l->worst.l1 = larger(l->worst.l1, e.l1);
-}
-
-static void keep_positions(Loop *l, const Points *p)
-{
+    double sum = 0;
+    if (!scene->problem->body) return 0;
+    scene->problem->body(scene, p->n, p->X, t, s->v);
     for (int d = 0; d < DIM; d++)
         for (int k = 0; k < p->n; k++)
-            if (p->id[k] >= 0) l->from[d][p->id[k]] = p->x[d][k];
+            if (p->m[k] > 0) sum += p->m[k] * s->v[d][k] * (p->x[d][k] - from[d][p->id[k]]);
+    return sum;
 }
 
-bool ledger_open(Loop *l)
+double ledger_momentum(const Points *p, Vec out)
 {
-    const Points p = points_of(l);
-    bool ok = true;
-    for (int d = 0; d < DIM; d++)
-        ok = (l->from[d] = malloc(sizeof(double) * (size_t)(p.n + 1))) && ok;
-    if (ok) keep_positions(l, &p);
-    return ok;
+    double sum = 0;
+    for (int d = 0; d < DIM; d++) out[d] = 0;
+    for (int k = 0; k < p->n; k++) {
+        double square = 0;
+        for (int d = 0; d < DIM; d++) {
+            out[d] += p->m[k] * p->v[d][k];
+            square += p->v[d][k] * p->v[d][k];
+        }
+        sum += p->m[k] * sqrt(square);
+    }
+    return sum;
 }
 
-void ledger_close(Loop *l)
+/* sum m (r_a v_b - r_b v_a) about the centre of mass. */
+static double spin_in_plane(const Points *p, int a, int b)
 {
-    for (int d = 0; d < DIM; d++) free(l->from[d]);
+    double mass = 0, x[2] = {0}, mv[2] = {0}, sum = 0;
+    for (int k = 0; k < p->n; k++) {
+        const double r[] = {p->x[a][k], p->x[b][k]}, v[] = {p->v[a][k], p->v[b][k]};
+        mass += p->m[k];
+        sum += p->m[k] * (r[0] * v[1] - r[1] * v[0]);
+        for (int c = 0; c < 2; c++) x[c] += p->m[k] * r[c], mv[c] += p->m[k] * v[c];
+    }
+    return sum - (x[0] * mv[1] - x[1] * mv[0]) / mass;
 }
 
-/* Body forces act on the way from t to t + dt with the mean of what they are at both ends. */
-void record_work(Loop *l, double t)
+void ledger_angular_momentum(const Points *p, double out[3])
 {
-    const Scene *scene = &l->plan->scene;
-    const Points p = points_of(l);
-    const double *const *from = (const double *const *)l->from;
-    l->work += 0.5 * (body_work(scene, &p, from, t, &l->scratch) +
-                      body_work(scene, &p, from, t + l->dt, &l->scratch));
-    keep_positions(l, &p);
+    for (int c = 0; c < 3; c++) {
+        const int a = (c + 1) % 3, b = (c + 2) % 3;
+        out[c] = a < DIM && b < DIM ? spin_in_plane(p, a % DIM, b % DIM) : NAN;
+    }
 }
 
-bool has_moved(const Loop *l)
+Volumes ledger_volumes(const Samples *q)
 {
-    const Points p = points_of(l);
-    for (int d = 0; d < DIM; d++)
-        for (int k = 0; k < p.n; k++)
-            if (p.id[k] >= 0 && !(p.x[d][k] == l->from[d][p.id[k]])) return true;
-    return false;
+    Volumes out = {0, NAN, NAN};
+    bool any = false;
+    for (int k = 0; k < q->n; k++) {
+        if (!(q->V0[k] > 0)) continue;
+        Mat F;
+        for (int e = 0; e < NMAT; e++) F[e] = q->F[e][k];
+        const double J = determinant(F);
+        out.sum += q->V0[k] * J;
+        if (!any || !(J >= out.least)) out.least = J;
+        if (!any || !(J <= out.most)) out.most = J;
+        any = true;
+    }
+    return out;
+}
+
+int ledger_fastest_point(const Points *p, double *speed)
+{
+    int fastest = -1;
+    *speed = 0;
+    for (int k = 0; k < p->n; k++) {
+        double square = 0;
+        for (int d = 0; d < DIM; d++) square += p->v[d][k] * p->v[d][k];
+        const double own = sqrt(square);
+        if (!(p->m[k] > 0) || own < *speed) continue;
+        if (own > *speed || fastest < 0 || p->id[k] < fastest) fastest = p->id[k];
+        *speed = own;
+    }
+    return fastest;
 }

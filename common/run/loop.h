@@ -3,7 +3,7 @@
 #define MPMLAB_LOOP_H
 
 #include <stdio.h>
-#include "norm.h"
+#include "ledger.h"
 #include "output.h"
 #include "plan.h"
 #include "snapshot.h"
@@ -13,6 +13,11 @@ typedef struct Side {
     double kinetic, mv; /* [J] [kg m/s] sum m |v| */
     Vec p;              /* [kg m/s] */
 } Side;
+
+/* Kinetic energy of one instant, and the part of it that the time step leaves undetermined [J]. */
+typedef struct Counted {
+    double kinetic, open;
+} Counted;
 
 typedef struct Loop {
     const Plan *plan;
@@ -27,7 +32,8 @@ typedef struct Loop {
     double cpu, wall;           /* [s] inside the solver's step */
     Errors worst;               /* running maxima */
     double start, now, largest; /* K + S - W at the start and now, largest K + S */
-    double base;                /* [J] K + S that energy growth is counted from */
+    double base, most;          /* [J] K + S at the start and its largest, for energy growth */
+    Counted counted;            /* of the instant before */
     double noise;               /* [J] round-off of stored energy */
     long instants;              /* whose energy is recorded */
     double work;                /* [J] of body forces on the steps finished */
@@ -42,27 +48,27 @@ typedef struct Loop {
     Moment last; /* what is known of the last instant */
 } Loop;
 
-/* Takes down where the points are, and frees that; false: out of memory. ledger.c. */
-bool ledger_open(Loop *l);
-void ledger_close(Loop *l);
+/* Stores the positions of all points for loop_record_work; frees them. false: out of memory. */
+bool loop_open(Loop *l);
+void loop_close(Loop *l);
 
-Side measure_side(const Loop *l);
-void measure_state(Loop *l, Moment *m); /* what depends on positions and F: energy, volume, ... */
+Side loop_measure_side(const Loop *l);
+void loop_measure_state(Loop *l,
+                        Moment *m); /* what depends on positions and F: energy, volume, ... */
 
-/* The energy growth is counted from: given both sides of the first step and the strain energy. */
-void record_start(Loop *l, const Side *before, const Side *after, double strain);
+/* Sets the energy that growth is measured from: given both sides of the first step and S. */
+void loop_record_start(Loop *l, const Side *before, const Side *after, double strain);
 
 /* Energies of the instant m->t between two sides. */
-void record_energy(Loop *l, Moment *m, const Side *before, const Side *after);
-void record_momentum(Loop *l, const Side *after);
-void record_work(Loop *l, double t); /* of the step from t that has just been finished */
-void record_errors(Loop *l, Errors e);
+void loop_record_energy(Loop *l, Moment *m, const Side *before, const Side *after);
+void loop_record_momentum(Loop *l, const Side *after);
+void loop_record_work(Loop *l, double t); /* of the step from t that has just been finished */
+void loop_record_errors(Loop *l, Errors e);
 
-/* Has any point another position than after the last finished step? A step that fails may have
- * moved the points, or not. */
-bool has_moved(const Loop *l);
+/* True if any point has moved since the last finished step. (A failed step may have moved some.) */
+bool loop_has_moved(const Loop *l);
 
-/* What was asked for; and what became of it. */
+/* Fill the row: the run's inputs, its numbers of particles and nodes, its results. */
 void report_inputs(const RunSpec *spec, const Plan *plan, Row *row);
 void report_counts(const Loop *l, Row *row);
 void report_results(const Loop *l, Row *row);

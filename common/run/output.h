@@ -1,4 +1,4 @@
-/* output.h: the files that one run leaves besides its row (CONTRACT: --history, --particles). */
+/* output.h: the files that one run writes besides its row: --history, --particles, ... */
 #ifndef MPMLAB_OUTPUT_H
 #define MPMLAB_OUTPUT_H
 

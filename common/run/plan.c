@@ -1,4 +1,4 @@
-/* plan.c: see plan.h. The rules of CONTRACT.md's parameter section. */
+/* plan.c: see plan.h. Defaults, and what is refused. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,7 +65,7 @@ static const Problem *find_problem(const char *name)
     return NULL;
 }
 
-/* A plug-in, or a mesh solver that goes by a method's name. */
+/* Finds the method by name: a plug-in, or a mesh solver. */
 static int choose_method(RunSpec *spec, Plan *plan, Fault *fault)
 {
     const char *names[64];
@@ -129,7 +129,7 @@ static int by_name(const void *a, const void *b)
     return strcmp(((const Setting *)a)->name, ((const Setting *)b)->name);
 }
 
-/* Every parameter of problem and method spelled out, so that the spec says all that matters. */
+/* Adds every parameter of problem and method to the spec, which then selects this run alone. */
 static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
 {
     const Param *lists[] = {plan->scene.problem->info.params, plan->method->params};
@@ -142,8 +142,8 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
             if (spec_set(spec, pair, fault)) return FAULT_USAGE;
         }
     const double usual = plan->setup.method && plan->setup.method->surface;
-    int n = 0; /* what the defaults would say anyway, or is said elsewhere, is left out; but not
-                * the dimension, without which this were another run */
+    int n = 0; /* drops run settings that equal their default or are stored in another field; keeps
+                * `dim`, because without it the command would select another run */
     for (int k = 0; k < spec->nset; k++) {
         const Param *p = param_find(settings_common, spec->set[k].name);
         double value = 0;
@@ -203,7 +203,7 @@ static int choose_times(RunSpec *spec, Plan *plan, Fault *fault)
                      spec->cfl, spec->t_end, steps);
 }
 
-int no_exact_motion(const RunSpec *spec, Fault *fault)
+int plan_no_exact_motion(const RunSpec *spec, Fault *fault)
 {
     return fault_set(fault, FAULT_USAGE,
                      "--errors: got '%s', takes a scene in motion with an exact solution",
@@ -219,8 +219,12 @@ static int check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
     if (plan->scene.problem->projection && !solver->project)
         return fault_set(fault, FAULT_USAGE,
                          "--method: got '%s', which projects nothing onto a grid", name);
+    if (spec->history && plan->scene.problem->projection)
+        return fault_set(fault, FAULT_USAGE,
+                         "--history: got '%s', takes a scene in motion, and %s has no time steps",
+                         spec->history, spec->problem);
     if (spec->errors && (!plan->scene.problem->exact || plan->scene.problem->projection))
-        return no_exact_motion(spec, fault);
+        return plan_no_exact_motion(spec, fault);
     if (spec->nodes && !solver->nodes)
         return fault_set(fault, FAULT_USAGE,
                          "--nodes: got '%s', takes a method with a grid, not %s", spec->nodes,

@@ -24,7 +24,7 @@ typedef struct Plan {
 int plan_make(RunSpec *spec, Plan *plan, Fault *fault);
 
 /* The refusal of --errors where no exact motion is known. */
-int no_exact_motion(const RunSpec *spec, Fault *fault);
+int plan_no_exact_motion(const RunSpec *spec, Fault *fault);
 
 /* Runs a spec to one row (run.c); the engine's run. */
 int run_spec(const RunSpec *spec, Row *row, Fault *fault);

@@ -1,4 +1,4 @@
-/* report.c: a finished run as a row (CONTRACT: columns). */
+/* report.c: a finished run as a row of the table (row.h has the columns). */
 #include <math.h>
 #include <string.h>
 #include "loop.h"

@@ -46,14 +46,14 @@ static bool grown(const Loop *l)
     return l->plan->stop_growth && l->growth_step >= 0;
 }
 
-/* Instants 0 .. n; instant k needs step k to know its kinetic energy. */
+/* Instants 0 .. n. The kinetic energy of instant k is known after step k. */
 static void run_steps(Loop *l)
 {
-    Side before = measure_side(l);
+    Side before = loop_measure_side(l);
     memcpy(l->p0, before.p, sizeof l->p0);
     l->momentum = before.mv;
     Moment m = {.dt = l->dt, .error_linf = errors_now(l, 0).linf};
-    measure_state(l, &m);
+    loop_measure_state(l, &m);
     if (l->shots.dir)
         l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
     for (; l->done < l->n && !grown(l) && !l->code; l->done++) {
@@ -63,19 +63,19 @@ static void run_steps(Loop *l)
             l->failed_at = t + l->dt;
             return;
         }
-        const Side after = measure_side(l);
+        const Side after = loop_measure_side(l);
         const double w = l->done > 0 ? 0.5 : 0; /* the first instant is not between two halves */
-        if (l->done == 0) record_start(l, &before, &after, m.strain);
+        if (l->done == 0) loop_record_start(l, &before, &after, m.strain);
         m.t = t;
         m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
         for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
-        record_energy(l, &m, &before, &after);
-        record_momentum(l, &after);
-        record_work(l, t);
+        loop_record_energy(l, &m, &before, &after);
+        loop_record_momentum(l, &after);
+        loop_record_work(l, t);
         const Errors e = errors_now(l, t + l->dt);
-        record_errors(l, e);
+        loop_record_errors(l, e);
         m.error_linf = e.linf;
-        measure_state(l, &m);
+        loop_measure_state(l, &m);
         before = after;
         shoot(l, l->done + 1, false);
     }
@@ -83,18 +83,18 @@ static void run_steps(Loop *l)
     l->last = m;
 }
 
-/* The instant after the last step, by a step beyond it. */
+/* Records the instant after the last step, for which one more step is taken. */
 static void last_instant(Loop *l)
 {
     Moment m = l->last;
-    const Side before = measure_side(l);
+    const Side before = loop_measure_side(l);
     const Status status =
         l->done > 0 ? l->plan->solver->step(l->self, m.t, l->dt, false) : (Status){EMPTY, -1, 0};
     const double w = status.code == OK ? 0.5 : 0;
-    const Side after = status.code == OK ? measure_side(l) : before;
+    const Side after = status.code == OK ? loop_measure_side(l) : before;
     m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
     for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
-    record_energy(l, &m, &before, &after);
+    loop_record_energy(l, &m, &before, &after);
 }
 
 static void choose_dt(Loop *l)
@@ -123,10 +123,10 @@ static int project(Loop *l, Fault *fault)
     return 0;
 }
 
-/* Steps that the positions have made: a failed one counts if it moved them. */
+/* Number of steps that moved the particles: a failed step counts if it did. */
 static long steps_moved(const Loop *l)
 {
-    return l->done + (l->status.code != OK && has_moved(l));
+    return l->done + (l->status.code != OK && loop_has_moved(l));
 }
 
 static int write_errors_now(const char *path, Loop *l, Fault *fault)
@@ -138,7 +138,7 @@ static int write_errors_now(const char *path, Loop *l, Fault *fault)
     return output_errors(path, &l->plan->scene, &p, t, &l->scratch, fault);
 }
 
-/* The files of the run's end; nodes hold the velocities of the last projection. */
+/* Writes the files of the end of the run; nodes have the velocities of the last projection. */
 static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
 {
     const Solver *solver = l->plan->solver;
@@ -153,7 +153,7 @@ static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
     return code;
 }
 
-/* Room for every slot that particles may come to need. */
+/* Allocates room for the largest number of slots that particles may need. */
 static bool fit_scratch(Loop *l)
 {
     Points p;
@@ -171,9 +171,9 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
         if (!code) shoot(l, 0, true);
     } else {
         choose_dt(l);
-        if (!fit_scratch(l) || !ledger_open(l))
+        if (!fit_scratch(l) || !loop_open(l))
             return fault_set(fault, FAULT_MACHINE, "out of memory");
-        if (spec->errors && isnan(errors_now(l, 0).linf)) return no_exact_motion(spec, fault);
+        if (spec->errors && isnan(errors_now(l, 0).linf)) return plan_no_exact_motion(spec, fault);
         run_steps(l);
         shoot(l, steps_moved(l), true);
     }
@@ -190,7 +190,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
 {
     RunSpec own = *spec;
     Plan plan;
-    Loop l = {.plan = &plan, .growth_step = -1, .worst = no_errors, .drift = NAN};
+    Loop l = {.plan = &plan, .growth_step = -1, .worst = norm_no_errors, .drift = NAN};
     int code = plan_make(&own, &plan, fault);
     if (code) return code;
     *row = row_empty();
@@ -205,7 +205,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     code = l.self ? run_plan(&own, &l, row, fault) : fault->code;
     if (l.self) plan.solver->free(l.self);
     norm_scratch_free(&l.scratch);
-    ledger_close(&l);
+    loop_close(&l);
     snapshot_free(&l.shots);
     if (l.history && code) file_abandon(l.history, spec->history);
     if (l.history && !code) code = file_commit(l.history, spec->history, fault);

@@ -158,7 +158,7 @@ static inline void folded_shape(const Axis *axis, int width, const Field x, cons
     }
 }
 
-/* `shape=spline|gimp`, the first parameter of methods that offer both. */
+/* `shape=spline|gimp`, the first parameter of methods that have both. */
 enum { BY_SPLINE, BY_GIMP };
 
 #define SHAPE_PARAM(usual)                                                                         \

@@ -1,5 +1,5 @@
-/* transfers.h: what goes from a chunk to the grid and comes back: the deposits and updates that
- * methods share. W07 eqs 2.1, 4.1-4.3; W11 eqs 26-30. */
+/* transfers.h: deposits (particles to nodes) and updates (nodes to particles) that methods share.
+ * W07 eqs 2.1, 4.1-4.3; W11 eqs 26-30. */
 #ifndef MPMLAB_TRANSFERS_H
 #define MPMLAB_TRANSFERS_H
 
@@ -19,8 +19,8 @@ static inline void mass_payload(const Chunk *c, const Field T[NMAT], Payload *ou
             for (int p = 0; p < CHUNK; p++) out->A[FLUX + b * DIM + a][p] = -T[a * DIM + b][p];
 }
 
-/* W07 eq 4.2: every particle offers node i the velocity v_p + L_p (x_i - x_p); mass is untouched.
- */
+/* W07 eq 4.2: every particle deposits the velocity v_p + L_p (x_i - x_p) at node i; the mass is
+ * that of mass_payload. */
 static inline void gradient_payload(const Chunk *c, const Field T[NMAT], Payload *out)
 {
     mass_payload(c, T, out);

@@ -7,7 +7,7 @@ set bmargin at screen 0.13
 set tmargin at screen 0.9
 set logscale y
 set format y '10^{%T}'
-array SAYS[3] = ['H6: linear field', 'H7: bar', 'H7: plane']
+array SAYS[3] = ['H-6: linear field', 'H-7: bar', 'H-7: plane']
 array SCENE[3] = ['patch', 'sine\_bar', 'axis\_mms']
 do for [k = 1:3] {
     set lmargin at screen (k < 3 ? 0.1 + 0.29 * (k - 1) : 0.625)

@@ -81,27 +81,54 @@ static int take_action(StudyOptions *o, StudyAction action, Fault *fault)
     return 0;
 }
 
+static int take_quick(StudyArgs *args, const char *got, Fault *fault)
+{
+    (void)got, (void)fault;
+    args->options.quick = true;
+    return 0;
+}
+
+static int take_jobs(StudyArgs *args, const char *got, Fault *fault)
+{
+    return option_whole("--jobs", got, 1024, &args->options.jobs, fault);
+}
+
+static int take_study_out(StudyArgs *args, const char *got, Fault *fault)
+{
+    return take_out(&args->out, got, fault);
+}
+
+static int take_methods(StudyArgs *args, const char *got, Fault *fault)
+{
+    args->options.methods = got;
+    return methods_check(got, fault);
+}
+
+static int take_list(StudyArgs *args, const char *got, Fault *fault)
+{
+    (void)got;
+    return take_action(&args->options, STUDY_LIST, fault);
+}
+
+static int take_collect(StudyArgs *args, const char *got, Fault *fault)
+{
+    (void)got;
+    return take_action(&args->options, STUDY_COLLECT, fault);
+}
+
+static const struct {
+    const char *option;
+    int (*take)(StudyArgs *args, const char *got, Fault *fault);
+} takers[] = {{"quick", take_quick},    {"jobs", take_jobs}, {"out", take_study_out},
+              {"method", take_methods}, {"list", take_list}, {"collect", take_collect}};
+
 static int take_study(void *into, const char *name, const char *got, Fault *fault)
 {
     StudyArgs *args = into;
-    StudyOptions *o = &args->options;
     if (!name) return take_name(args, got, fault);
-    switch (name[0]) {
-    case 'q':
-        o->quick = true;
-        return 0;
-    case 'j':
-        return option_whole("--jobs", got, 1024, &o->jobs, fault);
-    case 'o':
-        return take_out(&args->out, got, fault);
-    case 'm':
-        o->methods = got;
-        return methods_check(got, fault);
-    case 'l':
-        return take_action(o, STUDY_LIST, fault);
-    default:
-        return take_action(o, STUDY_COLLECT, fault);
-    }
+    for (size_t k = 0; k < sizeof takers / sizeof *takers; k++)
+        if (strcmp(takers[k].option, name) == 0) return takers[k].take(args, got, fault);
+    return fault_set(fault, FAULT_USAGE, "unknown option '--%s'", name);
 }
 
 /* claims.csv and index.html of everything in dir; one program at a time, or the one that read

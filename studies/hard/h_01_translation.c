@@ -1,4 +1,4 @@
-/* h_01_translation.c: hard case H1: a body of uniform stress moves over the grid.
+/* h_01_translation.c: hard case H-1: a body of uniform stress moves over the grid.
  *
  * Inside it no force may act, wherever its particles lie in their cells. The particles' lattice is
  * stretched, so that its spacing is no part of a cell and every node inside sees another offset;
@@ -158,7 +158,7 @@ static void write_grades(FILE *f, const Table *t)
         const double any =
             measure_worse(tiles, curve_worst(t, (*m)->name, 1, "largest", "kind=turned").value);
         if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
-        grade_add(f, "H1", (*m)->name, grade_mark_of(any, NOTHING, 0.1),
+        grade_add(f, "H-1", (*m)->name, grade_mark_of(any, NOTHING, 0.1),
                   any <= NOTHING     ? "no force inside, at any offset"
                   : tiles <= NOTHING ? "no force while boxes tile space; %.2g of |sigma| A in a "
                                        "turned body"
@@ -190,38 +190,48 @@ static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "force");
     const double share = 2 * STRETCH / (double)PER_CELL;
-    claim(c, "H1.nodes", "nodes of the bar's coarsest mesh, each at another offset",
+    claim(c, "H-1.nodes",
+          "H-1: nodes inside the moving bar on its coarsest mesh, each at another offset from the "
+          "particles: how many",
           select_value(t, "nodes", "method=mpm kind=bar cells=%d", kinds[0].cells[0]), 200, 1000);
-    claim(c, "H1.tent", "tents: one crossing changes the force by 2 F/n: range over that",
+    claim(c, "H-1.tent",
+          "Tents: when a particle crosses a node the nodal force changes by 2 F/n: range of forces "
+          "in the bar over that, coarsest mesh",
           measure_times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[0]),
                         1 / share),
           0.99, 1.01);
-    claim(c, "H1.tent-h",
-          "tents: the spurious force does not fall with h: range at the finest mesh over 2 F/n",
+    claim(c, "H-1.tent-h",
+          "Tents: the force that a crossing particle causes does not fall with h: range of forces "
+          "over 2 F/n, finest mesh",
           measure_times(select_value(t, "jump", "method=mpm kind=bar cells=%d", kinds[0].cells[2]),
                         1 / share),
           0.99, 1.01);
-    claim(c, "H1.gimp", "GIMP, GE-GIMP: no force while boxes tile space (bar, stretch)",
+    claim(c, "H-1.gimp",
+          "GIMP, GE-GIMP: no force inside while particle boxes tile space (bar, stretched square): "
+          "largest force over |sigma| A",
           measure_max(curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=bar"),
                       curve_worst(t, "gimp ge_gimp", MESHES, "largest", "kind=stretch")),
           0, NOTHING);
-    claim(c, "H1.gimp-turned",
-          "turned by 30 degrees they do not tile it, on any mesh: least of the forces",
+    claim(c, "H-1.gimp-turned",
+          "GIMP: boxes of a body turned by 30 degrees do not tile space: largest force over "
+          "|sigma| A on the finest mesh",
           select_value(t, "largest", "method=gimp kind=turned cells=%d", kinds[2].cells[2]), 1e-3,
           1);
-    claim(c, "H1.wls", "WLS in the plane and WLS2: no force, turned or not",
+    claim(c, "H-1.wls",
+          "WLS in the plane and WLS2 in every body: no force inside, turned or not: largest force "
+          "over |sigma| A",
           measure_max(curve_worst(t, "wls2", KINDS * MESHES, "largest", ""),
                       measure_max(curve_worst(t, "wls", MESHES, "largest", "kind=stretch"),
                                   curve_worst(t, "wls", MESHES, "largest", "kind=turned"))),
           0, NOTHING);
-    claim_differs(c, "H1.wls-bar", "WLS, the bar's coarsest mesh: runs lost, of four offsets",
+    claim_differs(c, "H-1.wls-bar", "WLS, bar on its coarsest mesh: runs lost, of four offsets",
                   select_count_lost(r->rows, OFFSETS, "method=wls cells=64"), 0, 0, 1, 1,
                   "at one offset (.28 cells) a surface particle inverts in the first step");
 }
 
 const Study study_h_01_translation = {
     .name = "h_01_translation",
-    .figure = "H1",
+    .figure = "H-1",
     .about = "a uniformly stressed body moves over the grid: forces where there are none",
     .cases = cases,
     .tables = tables,

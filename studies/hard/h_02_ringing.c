@@ -1,4 +1,4 @@
-/* h_02_ringing.c: hard case H2: velocities that the grid cannot see.
+/* h_02_ringing.c: hard case H-2: velocities that the grid cannot see.
  *
  * In a block at rest the particles' velocities alternate, +d and -d; with two or more of them to a
  * cell they cancel at every node inside, v_i = 0. What is left of them is sqrt(K/K_0): of the
@@ -111,13 +111,13 @@ static void write_grades(FILE *f, FILE *g, const Table *t)
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
         const double usual = last_left(t, (*m)->name, 0).value;
-        grade_add(f, "H2", (*m)->name, mark_kept(usual),
+        grade_add(f, "H-2", (*m)->name, mark_kept(usual),
                   usual > 1.1 ? "grows to %.3g times what it was in %d steps"
                               : "%.2g of it left after %d steps",
                   usual, STEPS);
         for (int v = 1; v < VARIANTS; v++)
             if (takes(&engine_2d, *m, v))
-                grade_remedy_add(g, "H2", (*m)->name, variants[v].name, mark_kept(usual),
+                grade_remedy_add(g, "H-2", (*m)->name, variants[v].name, mark_kept(usual),
                                  mark_kept(last_left(t, (*m)->name, v).value), "");
     }
 }
@@ -135,27 +135,37 @@ static void tables(const Results *r)
 static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "kept");
-    claim(c, "H2.flip", "FLIP keeps what the grid cannot see: least left at the end, five methods",
+    claim(c, "H-2.flip",
+          "MPM, GIMP, GE-MPM, GE-GIMP, B-splines (FLIP) keep velocity modes that the grid cannot "
+          "see: least amplitude left after 1500 steps",
           left(t, "mpm gimp ge_mpm ge_gimp bspline", 1, 0).least, 0.9, 1.1);
-    claim(c, "H2.pic", "PIC (order 1 of XPIC and FMPM), APIC and TPIC forget it: most left",
+    claim(c, "H-2.pic",
+          "PIC (order 1 of XPIC and FMPM), APIC and TPIC damp velocity modes that the grid cannot "
+          "see: most amplitude left after 1500 steps",
           measure_max(left(t, "xpic fmpm", 1, 1).most, left(t, "apic tpic", 1, 0).most), 0, 0.1);
-    claim(c, "H2.xpic", "XPIC(2) and FMPM(2) forget it, too: most left",
+    claim(c, "H-2.xpic",
+          "XPIC(2) and FMPM(2) damp velocity modes that the grid cannot see: most amplitude left "
+          "after 1500 steps",
           left(t, "xpic fmpm", 1, 0).most, 0, 0.1);
-    claim_differs(c, "H2.wls",
-                  "WLS, WLS2 filter on the way to the grid only and keep it: most at the end",
+    claim_differs(c, "H-2.wls",
+                  "WLS, WLS2 filter velocities on the way to the grid only, so that the invisible "
+                  "mode neither decays nor grows: most amplitude at the end",
                   last_left(t, "wls wls2", 0), 0.9, 1.1, 1.1, 1e6,
                   "it grows by itself where the block is off the grid's lines; less so, or not at "
                   "all, if returned through splines, as it was fitted");
-    claim(c, "H2.wls-spline", "returned through splines, as fitted, WLS keeps it: most left",
+    claim(c, "H-2.wls-spline",
+          "WLS with return=spline keeps the invisible velocity mode without growth: most amplitude "
+          "left",
           left(t, "wls", 1, 2).most, 0.9, 1.1);
-    claim(c, "H2.wls2-spline",
-          "WLS2 with splines in 2D: the mode still grows (range of our own runs): most left",
+    claim(c, "H-2.wls2-spline",
+          "WLS2 with return=spline in the plane: the invisible mode still grows (range set from "
+          "our own runs): most amplitude left",
           left(t, "wls2", 2, 2).most, 1.1, 100);
 }
 
 const Study study_h_02_ringing = {
     .name = "h_02_ringing",
-    .figure = "H2",
+    .figure = "H-2",
     .about = "particle velocities that the grid cannot see: who keeps them, who forgets",
     .cases = cases,
     .tables = tables,

@@ -1,4 +1,4 @@
-/* h_04_locking.c: hard case H4: near incompressibility, nu = .3 to .499, for every method and FEM.
+/* h_04_locking.c: hard case H-4: near incompressibility, nu = .3 to .499, for every method and FEM.
  *
  * Plate: the shear mode of plate_vibration, free of dilatation, N = 16, A = .1 mm (so that the
  * pressure of finite strain is small beside lambda times anything numerical), at a sixth of a
@@ -227,28 +227,32 @@ static void check(Check *c, const Results *r)
     Measure ratio, rough;
     extremes(t, PLATE, &ratio, &rough);
     claim_differs(
-        c, "H-4.plate-all", "plate, nu = .499: methods that neither lock nor checkerboard",
+        c, "H-4.plate-all",
+        "Plate, nu = .499: methods that neither lock nor show a checkerboard of pressure: how many",
         escaping(t, PLATE), 0, 0, 1, 4,
         "quadratic splines (B-spline, APIC, TPIC) keep p within .15 of the shear stress in "
         "this smooth mode");
-    claim(
-        c, "H-4.plate-worst",
-        "plate: linear triangles are worst: FEM's checkerboard over the largest of the particles'",
-        measure_ratio(value(t, PLATE, "fem", "0.499", "checkerboard"), rough), 1, 100);
+    claim(c, "H-4.plate-worst",
+          "Plate, nu = .499: linear triangles have the worst checkerboard: FEM's over the largest "
+          "of the particle methods",
+          measure_ratio(value(t, PLATE, "fem", "0.499", "checkerboard"), rough), 1, 100);
     extremes(t, BEAM, &ratio, &rough);
-    claim(c, "H-4.beam-all", "cantilever, nu = .499: methods that neither lock nor checkerboard",
+    claim(c, "H-4.beam-all",
+          "Cantilever, nu = .499: methods that neither lock nor show a checkerboard of pressure: "
+          "how many",
           escaping(t, BEAM), 0, 0);
-    claim_differs(
-        c, "H-4.beam-worst",
-        "cantilever: linear triangles lock worst: FEM's displacement over the least of the "
-        "particle methods",
-        measure_ratio(value(t, BEAM, "fem", "0.499", "ratio"), ratio), 0, 1, 1.2, 100,
-        "triangles of alternating diagonals keep .83; tents over four particles a cell "
-        "keep least");
-    claim(c, "H-4.beam-gimp", "GIMP locks: its displacement at nu = .499 over the reference's",
+    claim_differs(c, "H-4.beam-worst",
+                  "Cantilever, nu = .499: linear triangles lock worst: FEM's displacement over the "
+                  "least of the particle methods",
+                  measure_ratio(value(t, BEAM, "fem", "0.499", "ratio"), ratio), 0, 1, 1.2, 100,
+                  "triangles of alternating diagonals keep .83; tents over four particles a cell "
+                  "keep least");
+    claim(c, "H-4.beam-gimp",
+          "Cantilever: GIMP locks: its displacement at nu = .499 over the reference's",
           value(t, BEAM, "gimp", "0.499", "ratio"), 0, 0.95);
     claim(c, "H-4.beam-gimp-pressure",
-          "GIMP's pressure checkerboard on the cantilever: times that at nu = .3",
+          "Cantilever: GIMP's checkerboard of pressure grows with nu: at nu = .499 over that at nu "
+          "= .3",
           measure_ratio(value(t, BEAM, "gimp", "0.499", "checkerboard"),
                         value(t, BEAM, "gimp", "0.3", "checkerboard")),
           10, INFINITY);

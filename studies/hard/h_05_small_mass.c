@@ -217,33 +217,44 @@ static void check(Check *check, const Results *r)
         "2/omega is what a grid that keeps its velocities allows; a node that is projected anew "
         "each step forgets its own, and its limit is 1/sqrt(2) of that";
     const Table *points = results_part(r, "points"), *omega = results_part(r, "omega");
-    claim(check, "H5.tent-omega", "tents: 2/omega_max is 2 sqrt(eps/h) h/c: largest deviation",
+    claim(check, "H-5.tent-omega",
+          "Tents: 2/omega_max of M^-1 K is 2 sqrt(eps/h) h/c if the last particle lies eps inside "
+          "a cell: largest relative deviation",
           off_root(omega, "two_over_omega", 1, "mpm", 2), 0, 0.1);
-    claim_differs(check, "H5.tent", "the critical step of tents is that, too",
+    claim_differs(check, "H-5.tent",
+                  "Tents: the critical step is 2 sqrt(eps/h) h/c, as 2/omega_max suggests: largest "
+                  "relative deviation",
                   off_root(points, "critical", 1, "mpm", 2), 0, 0.1, 0.25, 0.35, forgets);
-    claim(check, "H5.tent-sqrt2", "critical step of tents: sqrt(2 eps/h) h/c, largest deviation",
+    claim(check, "H-5.tent-sqrt2",
+          "Tents: the critical step is sqrt(2 eps/h) h/c: largest relative deviation, 1D",
           off_root(points, "critical", 1, "mpm", M_SQRT2), 0, 0.1);
-    claim(check, "H5.tent-plane",
-          "critical step of tents in 2D: sqrt(2 eps/h) h/c of P waves, largest deviation",
+    claim(check, "H-5.tent-plane",
+          "Tents: the critical step is sqrt(2 eps/h) h/c of P waves: largest relative deviation, "
+          "2D (own measurement)",
           off_root(points, "critical", 2, "mpm", M_SQRT2), 0, 0.1);
-    claim(check, "H5.ge-tent",
-          "with gradient enhancement, which hands the node its velocity back, it is 2 "
-          "sqrt(eps/h)",
+    claim(check, "H-5.ge-tent",
+          "GE-MPM, whose particles return the node's velocity to it: the critical step is 2 "
+          "sqrt(eps/h) h/c: largest relative deviation",
           off_root(points, "critical", 1, "ge_mpm", 2), 0, 0.1);
-    claim(check, "H5.gimp-omega", "GIMP's 2/omega_max has a floor",
+    claim(check, "H-5.gimp-omega",
+          "GIMP: 2/omega_max of M^-1 K does not fall below a floor however small the node's mass "
+          "[h/c]",
           smallest(omega, "two_over_omega", "gimp"), 0.76, 0.84);
-    claim_differs(check, "H5.gimp", "GIMP's critical step has the floor of 2/omega_max [h/c]",
+    claim_differs(check, "H-5.gimp",
+                  "GIMP: the critical step does not fall below that floor of 2/omega_max [h/c]",
                   smallest(points, "critical", "gimp"), 0.76, 0.84, 0.56, 0.76, forgets);
-    claim(check, "H5.bspline-omega", "B-splines' 2/omega_max has a higher one",
+    claim(check, "H-5.bspline-omega",
+          "B-splines: 2/omega_max of M^-1 K does not fall below a floor higher than GIMP's [h/c]",
           smallest(omega, "two_over_omega", "bspline"), 0.9, 1);
-    claim_differs(check, "H5.bspline",
-                  "B-splines' critical step has the floor of 2/omega_max [h/c]",
-                  smallest(points, "critical", "bspline"), 0.9, 1, 0.66, 0.9, forgets);
+    claim_differs(
+        check, "H-5.bspline",
+        "B-splines: the critical step does not fall below that floor of 2/omega_max [h/c]",
+        smallest(points, "critical", "bspline"), 0.9, 1, 0.66, 0.9, forgets);
 }
 
 const Study study_h_05_small_mass = {
     .name = "h_05_small_mass",
-    .figure = "H5",
+    .figure = "H-5",
     .about =
         "a node that a body hardly touches: critical time step against how far it is into the cell",
     .cases = cases,

@@ -1,12 +1,12 @@
-/* h_06_uneven.c: hard cases H6 and H7: particles that are uneven, or few.
+/* h_06_uneven.c: hard cases H-6 and H-7: particles that are uneven, or few.
  *
- * H6: a linear velocity field is projected from a lattice, two particles per axis and cell, that is
- * jittered by up to half its spacing, or graded to a third of its density and back; errors of nodes
- * two cells inside. (Cells are square here, always.)
+ * H-6: a linear velocity field is projected from a lattice, two particles per axis and cell, that
+ * is jittered by up to half its spacing, or graded to a third of its density and back; errors of
+ * nodes two cells inside. (Cells are square here, always.)
  *
- * H7: the sine bar and the standing waves of axis_mms with half a particle per axis and cell, three
- * quarters, one, one and a half, and two; a method has enough where its error is below a tenth of
- * the amplitude. */
+ * H-7: the sine bar and the standing waves of axis_mms with half a particle per axis and cell,
+ * three quarters, one, one and a half, and two; a method has enough where its error is below a
+ * tenth of the amplitude. */
 #include <math.h>
 #include "studies/tables/grades.h"
 
@@ -44,7 +44,7 @@ static void write_points(FILE *f, const Table *rows)
         const double jitter = select_number(rows, row, "jitter"),
                      ppc = select_number(rows, row, "ppc");
         const int dim = select_is(rows, row, "problem", scenes[0].problem) ? 1 : 2;
-        fprintf(f, "%s,%s,%s,", isnan(jitter) ? "H7" : "H6", select_text(rows, row, "problem"),
+        fprintf(f, "%s,%s,%s,", isnan(jitter) ? "H-7" : "H-6", select_text(rows, row, "problem"),
                 select_text(rows, row, "method"));
         if (isnan(jitter))
             fprintf(f, ",%.4g,", round(pow(ppc, 1.0 / dim) * 4) / 4);
@@ -59,12 +59,12 @@ static void write_points(FILE *f, const Table *rows)
 /* Error over the amplitude at few particles per axis; INFINITY if the run was lost. */
 static Measure few_error(const Table *t, int scene, const char *method, double per_axis)
 {
-    static const char where[] = "case=H7 problem=%s method=%s x=%g";
+    static const char where[] = "case=H-7 problem=%s method=%s x=%g";
     const char *problem = scenes[scene].problem;
     const Measure there = select_ended(t, "x", where, problem, method, per_axis);
     const Measure error = select_value(t, "error", where, problem, method, per_axis);
     if (error.rows || !there.rows) return error;
-    const Measure ok = select_ended(t, "x", "case=H7 problem=%s method=%s x=%g status=ok", problem,
+    const Measure ok = select_ended(t, "x", "case=H-7 problem=%s method=%s x=%g status=ok", problem,
                                     method, per_axis);
     return measure_with(there, ok.rows ? NAN : INFINITY);
 }
@@ -87,14 +87,14 @@ static void write_marks(FILE *f, const Table *t)
 {
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         const char *method = (*m)->name;
-        const double e = curve_worst(t, method, 1, "error", "case=H6").value;
+        const double e = curve_worst(t, method, 1, "error", "case=H-6").value;
         const double least = fewest(t, method);
         if (!engine_has_grid(&engine_2d, method)) continue;
-        grade_add(f, "H6", method, grade_mark_of(e, 1e-12, 1),
+        grade_add(f, "H-6", method, grade_mark_of(e, 1e-12, 1),
                   e <= 1e-12 ? "linear fields exact from any particles"
                              : "a linear field off by up to %.2g from jittered, graded particles",
                   e);
-        grade_add(f, "H7", method,
+        grade_add(f, "H-7", method,
                   least <= 0.5   ? MARK_OK
                   : least <= 1.5 ? MARK_WEAK
                                  : MARK_LOST,
@@ -115,36 +115,45 @@ static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "points");
     Measure lost = measure_sum_of(4);
-    claim(c, "H6.exact", "GE, APIC, TPIC, WLS: a linear field from any particles, largest error",
-          curve_worst(t, "ge_mpm ge_gimp apic tpic wls wls2", 2 * JITTERS, "error", "case=H6"), 0,
+    claim(c, "H-6.exact",
+          "GE-MPM, GE-GIMP, APIC, TPIC, WLS, WLS2 project a linear field exactly from uneven "
+          "particles: largest error",
+          curve_worst(t, "ge_mpm ge_gimp apic tpic wls wls2", 2 * JITTERS, "error", "case=H-6"), 0,
           1e-12);
-    claim(c, "H6.tent",
-          "tents and GIMP are equally bad on strongly jittered particles: error of MPM over GIMP's",
-          measure_ratio(select_value(t, "error", "case=H6 method=mpm x=0.5 grading=1"),
-                        select_value(t, "error", "case=H6 method=gimp x=0.5 grading=1")),
+    claim(c, "H-6.tent",
+          "Uneven particles: tents and GIMP err alike: MPM's error over GIMP's at jitter 0.5",
+          measure_ratio(select_value(t, "error", "case=H-6 method=mpm x=0.5 grading=1"),
+                        select_value(t, "error", "case=H-6 method=gimp x=0.5 grading=1")),
           0.9, 1.2);
-    claim(c, "H7.tent", "tents with half a particle per cell have empty nodes: error of the bar",
+    claim(c, "H-7.tent",
+          "Tents with half a particle per cell have empty nodes: MPM's error of the bar over the "
+          "amplitude",
           few_error(t, 0, "mpm", 0.5), 0.5, 2);
-    claim(c, "H7.gimp", "GIMP, whose boxes reach beyond h/2, has none: error of the bar",
+    claim(c, "H-7.gimp",
+          "GIMP with half a particle per cell has no empty nodes, as its boxes reach beyond h/2: "
+          "error of the bar over the amplitude",
           few_error(t, 0, "gimp", 0.5), 0, USABLE);
-    claim(c, "H7.plane", "GIMP in 2D with half a particle per axis has too few: error",
+    claim(c, "H-7.plane",
+          "GIMP with half a particle per axis in the plane has too few: error of axis_mms over the "
+          "amplitude",
           few_error(t, 1, "gimp", 0.5), 0.5, 3);
     for (int m = 0; m < 2; m++)
         for (int k = 0; k < 2; k++) {
             const double e = few_error(t, 1, m ? "wls2" : "wls", few[k]).value;
             measure_add(&lost, isnan(e) ? NAN : isinf(e));
         }
-    claim(c, "H7.wls",
-          "WLS needs three particles in a support: runs lost in the plane below one, of 4", lost, 4,
-          4);
-    claim(c, "H7.wls-one",
-          "WLS in 2D with one particle per axis falls back (W11 eq 14): number of fallbacks",
-          select_value(t, "fallbacks", "case=H7 problem=axis_mms method=wls x=1"), 1, 100);
+    claim(c, "H-7.wls",
+          "WLS, WLS2 need three particles in a support: runs lost in the plane below one particle "
+          "per axis, of four",
+          lost, 4, 4);
+    claim(c, "H-7.wls-one",
+          "WLS with one particle per axis in the plane falls back (W11 eq 14): number of fallbacks",
+          select_value(t, "fallbacks", "case=H-7 problem=axis_mms method=wls x=1"), 1, 100);
 }
 
 const Study study_h_06_uneven = {
     .name = "h_06_uneven",
-    .figure = "H6",
+    .figure = "H-6",
     .about = "uneven particles, and few of them: projection of a linear field, two waves",
     .cases = cases,
     .tables = tables,

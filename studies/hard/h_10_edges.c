@@ -1,4 +1,4 @@
-/* h_10_edges.c: hard case H10: where a body ends. A linear velocity field is projected from a
+/* h_10_edges.c: hard case H-10: where a body ends. A linear velocity field is projected from a
  * block, a strip of one and a half cells, a concave corner, and a block with a gap of half a cell
  * (two surfaces in one cell), none of them on the grid's lines. All nodes with mass count.
  *
@@ -47,7 +47,7 @@ static void write_marks(FILE *f, const Table *t)
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         const double e = curve_worst(t, (*m)->name, 1, "error", "status=ok").value;
         if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
-        grade_add(f, "H10", (*m)->name, grade_mark_of(e, 1e-12, 1),
+        grade_add(f, "H-10", (*m)->name, grade_mark_of(e, 1e-12, 1),
                   e <= 1e-12 ? "linear fields exact at edges, corners, gaps"
                              : "at edges off by O(h): %.2g on the finest mesh",
                   e);
@@ -85,24 +85,31 @@ static Measure worst_error(const Table *t, const char *methods)
 static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "edges");
-    claim(c, "H10.defined", "edges, thin strip, concave corner, two surfaces in a cell: runs lost",
+    claim(c, "H-10.defined", "Edges, thin strip, concave corner, two surfaces in a cell: runs lost",
           lost(r->rows), 0, 0);
-    claim(c, "H10.order", "MPM, GIMP at edges: order in h of the largest error, block",
+    claim(c, "H-10.order",
+          "MPM, GIMP are of first order at edges: order in h of the largest error, block",
           measure_max(order(t, "mpm"), order(t, "gimp")), 0.8, 1.2);
-    claim(c, "H10.ge", "GE-MPM, GE-GIMP, APIC, TPIC exact in all four: largest error",
+    claim(c, "H-10.ge",
+          "GE-MPM, GE-GIMP, APIC, TPIC project a linear field exactly at edges of all four bodies: "
+          "largest error",
           worst_error(t, "ge_mpm ge_gimp apic tpic"), 0, 1e-12);
-    claim(c, "H10.wls2", "WLS2 exact in all four: largest error", worst_error(t, "wls2"), 0, 1e-12);
-    claim_differs(c, "H10.wls", "WLS exact, too: largest error", worst_error(t, "wls"), 0, 1e-12,
-                  1e-3, 0.1,
+    claim(c, "H-10.wls2",
+          "WLS2 projects a linear field exactly at edges of all four bodies: largest error",
+          worst_error(t, "wls2"), 0, 1e-12);
+    claim_differs(c, "H-10.wls",
+                  "WLS projects a linear field exactly at edges of all four bodies: largest error",
+                  worst_error(t, "wls"), 0, 1e-12, 1e-3, 0.1,
                   "spurious nodes take a mean of their neighbours' velocities, which is O(h) "
                   "wrong; WLS2 extrapolates");
-    claim(c, "H10.wls-order", "WLS at the block's edges: order of its largest error in h",
-          order(t, "wls"), 0.5, 1.2);
+    claim(c, "H-10.wls-order",
+          "WLS's error at edges falls with h: order of its largest error, block", order(t, "wls"),
+          0.5, 1.2);
 }
 
 const Study study_h_10_edges = {
     .name = "h_10_edges",
-    .figure = "H10",
+    .figure = "H-10",
     .about = "where a body ends: edges, a thin strip, a concave corner, two surfaces in a cell",
     .cases = cases,
     .tables = tables,

@@ -1,4 +1,4 @@
-/* h_14_fall.c: hard case H14: a block falls freely from rest.
+/* h_14_fall.c: hard case H-14: a block falls freely from rest.
  *
  * No stress, no gradient: x - g t^2/2 must vanish to round-off if velocities live half a step after
  * positions, which the half first step of cd, uvf and musl sees to. usl and usf take whole first
@@ -46,7 +46,7 @@ static void tables(const Results *r)
     FILE *f = grades_write(r);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         const double e = worst(r->rows, (*m)->name, 0, 3).value;
-        grade_add(f, "H14", (*m)->name, grade_mark_of(e, 1e-12, 1e-3), "off by %.1g m", e);
+        grade_add(f, "H-14", (*m)->name, grade_mark_of(e, 1e-12, 1e-3), "off by %.1g m", e);
     }
 }
 
@@ -54,16 +54,19 @@ static void check(Check *c, const Results *r)
 {
     const double dt = select_value(r->rows, "dt", "method=mpm").value; /* 1D */
     const double t = select_value(r->rows, "steps", "method=mpm").value * dt;
-    claim(c, "H14.half-step",
-          "x - g t^2/2 with the half first step (cd, uvf, musl), every method and FEM [m]",
+    claim(c, "H-14.half-step",
+          "Free fall: x - g t^2/2 vanishes with a half first step (cd, uvf, musl), every method "
+          "and FEM: largest [m]",
           worst(r->rows, NULL, 0, 3), 0, 1e-12);
-    claim(c, "H14.whole-step", "with a whole first step (usl, usf): largest error over g t dt/2",
-          measure_times(worst(r->rows, NULL, 3, 5), 1 / (GRAVITY * t * dt / 2)), 0.99, 1.01);
+    claim(
+        c, "H-14.whole-step",
+        "Free fall with a whole first step (usl, usf) is g t dt/2 too far: largest error over that",
+        measure_times(worst(r->rows, NULL, 3, 5), 1 / (GRAVITY * t * dt / 2)), 0.99, 1.01);
 }
 
 const Study study_h_14_fall = {
     .name = "h_14_fall",
-    .figure = "H14",
+    .figure = "H-14",
     .about = "a block falls freely from rest: the first step of every method and integrator",
     .cases = cases,
     .tables = tables,

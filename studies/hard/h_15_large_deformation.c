@@ -1,4 +1,4 @@
-/* h_15_large_deformation.c: hard case H15: which method survives large shear and rotation, and
+/* h_15_large_deformation.c: hard case H-15: which method survives large shear and rotation, and
  * large stretch, and what the choice of particle boxes buys.
  *
  * Generalized vortex, fitted particles, CFL .1 (a shear of 6 thins the material to a sixth, so that
@@ -208,46 +208,54 @@ static void check_vortex(Check *c, const Table *e, const Table *grid)
 {
     enum { FULL = TURNS - 1 };
     const Measure fem = measure_ratio(error(e, "fem", "fxx", 8), error(e, "fem", "fxx", 24));
-    claim(c, "H-15.vortex-fem", "vortex, G = .5: FEM is of second order: order from N = 8 to 24",
+    claim(c, "H-15.vortex-fem", "Vortex, G = .5: FEM is of second order: order from N = 8 to 24",
           measure_with(fem, log(fem.value) / log(3)), 1.8, 2.2);
-    claim(c, "H-15.vortex-gimp", "full vortex: of GIMP and GE-GIMP with l = l0 F_xx are lost",
+    claim(c, "H-15.vortex-gimp",
+          "Vortex, G = 1: GIMP and GE-GIMP with half widths l0 |F_xx| are lost: how many of two",
           lost(grid, "gimp ge_gimp", "fxx", FULL), 2, 2);
     claim_differs(c, "H-15.vortex-stretch",
-                  "GIMP with half widths that follow the stretch U loses none",
+                  "Vortex, G = 1: GIMP and GE-GIMP with half widths that follow the stretch U "
+                  "(convected domains) survive: how many of two are lost",
                   lost(grid, "gimp ge_gimp", "stretch", FULL), 0, 0, 1, 2,
                   "boxes as wide as U is long overlap under shear; what helps is to leave them "
                   "undeformed");
     claim(c, "H-15.vortex-undeformed",
-          "GIMP with boxes that stay as they were lives: its error over that of B-splines",
+          "Vortex, G = 1: GIMP with boxes that keep their initial widths survives: its error over "
+          "that of B-splines",
           measure_ratio(error_at(grid, "gimp", "undeformed", FULL),
                         error_at(grid, "bspline", "fxx", FULL)),
           0, 1.5);
     claim(c, "H-15.vortex-stretch-gain",
-          "G = .5, N = 24: GIMP's error with U over that with F_xx: U buys some",
+          "Vortex, G = .5, N = 24: half widths that follow U lower GIMP's error: error with U over "
+          "that with F_xx",
           measure_ratio(error(e, "gimp", "stretch", FINE), error(e, "gimp", "fxx", FINE)), 0, 0.95);
     claim(c, "H-15.vortex-fixed-functions",
-          "full vortex: of B-splines, APIC and TPIC, whose functions do not follow F, are lost",
+          "Vortex, G = 1: B-splines, APIC and TPIC, whose functions do not follow F, survive: how "
+          "many of three are lost",
           lost(grid, "bspline apic tpic", "fxx", FULL), 0, 0);
-    claim_differs(c, "H-15.vortex-wls", "full vortex: of WLS and WLS2 are lost",
+    claim_differs(c, "H-15.vortex-wls",
+                  "Vortex, G = 1: WLS and WLS2 survive: how many of two are lost",
                   lost(grid, "wls wls2", "fxx", FULL), 0, 0, 1, 2,
                   "surface particles invert near t = .5, at the largest shear");
 }
 
 static void check_bar(Check *c, const Table *grid)
 {
-    claim(c, "H-15.bar-fem", "hanging bar: FEM keeps it; lost", lost(grid, "fem", "fxx", TURNS), 0,
-          0);
-    claim(c, "H-15.bar-gimp", "GIMP tears it at its clamp; lost", lost(grid, "gimp", "fxx", TURNS),
-          1, 1);
+    claim(c, "H-15.bar-fem", "Hanging bar: FEM survives: runs lost, of 1",
+          lost(grid, "fem", "fxx", TURNS), 0, 0);
+    claim(c, "H-15.bar-gimp", "Hanging bar: GIMP runs are lost (the bar tears at its clamp), of 1",
+          lost(grid, "gimp", "fxx", TURNS), 1, 1);
     claim_differs(
-        c, "H-15.bar-stretch", "half widths that follow the stretch do not tear; lost",
+        c, "H-15.bar-stretch",
+        "Hanging bar: GIMP with half widths that follow the stretch U does not tear: runs lost, of "
+        "1",
         lost(grid, "gimp", "stretch", TURNS), 0, 0, 1, 1,
         "F at the clamp is wrong before boxes could bridge the gap: all rules tear there");
-    claim_differs(c, "H-15.bar-wls", "hanging bar: WLS and WLS2 runs lost",
+    claim_differs(c, "H-15.bar-wls", "Hanging bar: WLS and WLS2 do not tear: runs lost, of 2",
                   lost(grid, "wls wls2", "fxx", TURNS), 0, 0, 1, 2,
                   "particles at the corners of the clamp invert before t = .06");
     claim(c, "H-15.bar-agrees",
-          "before that all agree: GIMP's length of the bar at t = .045 s over FEM's",
+          "Hanging bar before it tears: GIMP's length at t = .045 s over FEM's",
           measure_ratio(select_value(grid, "stretch", "method=gimp rule=fxx column=4"),
                         select_value(grid, "stretch", "method=fem rule=fxx column=4")),
           0.97, 1.03);

@@ -146,13 +146,13 @@ static Measure worst_share(const Table *rows, const char *norm, int from, int to
 
 static void check_ring(Check *c, const Table *rows)
 {
-    claim(c, "T-1b.linf", "ring: largest error over FEM's, worst of N = 16 ... 64",
+    claim(c, "T-1b.linf", "GE-WLS, ring: largest error over FEM's, worst of N = 16 ... 64",
           worst_share(rows, "error_linf", 16, 64), 0, 0.85);
-    claim(c, "T-1b.linf-fine", "ring: largest error over FEM's, worst of N = 91 and 128",
+    claim(c, "T-1b.linf-fine", "GE-WLS, ring: largest error over FEM's, worst of N = 91 and 128",
           worst_share(rows, "error_linf", 91, 128), 0, 1);
-    claim(c, "T-1b.rms", "ring: rms error over FEM's, worst of N = 16 ... 45",
+    claim(c, "T-1b.rms", "GE-WLS, ring: rms error over FEM's, worst of N = 16 ... 45",
           worst_share(rows, "error_l2", 16, 45), 0, 0.75);
-    claim(c, "T-1b.rms-fine", "ring: rms error over FEM's, worst of N = 64 ... 128",
+    claim(c, "T-1b.rms-fine", "GE-WLS, ring: rms error over FEM's, worst of N = 64 ... 128",
           worst_share(rows, "error_l2", 64, 128), 0, 0.75);
     static const char four_periods[] = "problem=ring method=%s cells=%d t_end=0.08";
     for (int n = 32; n <= 64; n *= 2) {
@@ -191,17 +191,18 @@ static void check_doubts(Check *c, const Table *rows)
 {
     double sd, sd_fem;
     const Measure mean = offsets(rows, "ge_wls", &sd);
-    claim(c, "T-1b.offsets", "whole rings at ten offsets and angles, N = 32: mean error over FEM's",
+    claim(c, "T-1b.offsets",
+          "GE-WLS, whole rings at ten offsets and angles, N = 32: mean error over FEM's",
           measure_ratio(mean, offsets(rows, "fem", &sd_fem)), 0, 0.8);
     claim_note(c, "spread", sd / mean.value);
-    claim(c, "T-1b.cfl", "CFL .05 to .7, N = 32: largest error over FEM's at CFL .05",
+    claim(c, "T-1b.cfl", "GE-WLS, ring, CFL .05 to .7, N = 32: largest error over FEM's at CFL .05",
           worst_step(rows), 0, 1);
-    claim(c, "T-1b.lost", "runs of ge_wls lost, of all here, parts removed included",
+    claim(c, "T-1b.lost", "GE-WLS: runs lost of all here, parts removed included",
           select_count_lost(rows, RUNS, "method=ge_wls"), 0, 0);
-    claim(c, "T-1b.vortex", "generalized vortex, G = .2, N = 32: largest error over FEM's",
+    claim(c, "T-1b.vortex", "GE-WLS, vortex, G = .2, N = 32: largest error over FEM's",
           share_of(rows, "vortex", "error_linf", 32), 0, 1);
     claim(c, "T-1b.axis",
-          "axis-aligned displacement (no free surface), N = 32: largest error over FEM's",
+          "GE-WLS, axis-aligned displacement (no free surface), N = 32: largest error over FEM's",
           share_of(rows, "axis_mms", "error_linf", 32), 0, 0.3);
 }
 
@@ -245,19 +246,22 @@ static Measure disk_energy(const Results *r, double t, bool most)
 static void check_scenes(Check *c, const Results *r)
 {
     Measure rms = measure_sum_of(RIM), scatter = measure_sum_of(RIM);
-    claim(c, "T-1b.disk", "disk: energy over E0 at t = 2.3", disk_energy(r, 2.3, false), 0.98,
-          1.005);
-    claim(c, "T-1b.disk-late", "disk: energy over E0 at t = 4", disk_energy(r, late, false), 0.91,
-          1.005);
-    claim(c, "T-1b.disk-most", "its largest ever", disk_energy(r, late, true), 0.99, 1.005);
+    claim(c, "T-1b.disk", "GE-WLS, disk: energy over E0 at t = 2.3", disk_energy(r, 2.3, false),
+          0.98, 1.005);
+    claim(c, "T-1b.disk-late", "GE-WLS, disk: energy over E0 at t = 4", disk_energy(r, late, false),
+          0.91, 1.005);
+    claim(c, "T-1b.disk-most", "GE-WLS, disk: largest energy over E0 until t = 4",
+          disk_energy(r, late, true), 0.99, 1.005);
     Table *reference = results_file(r, "reference"), *plate = results_file(r, "plate.-1");
     hole_measure(reference, 256, plate, 32, &rms, &scatter);
     table_free(reference);
     table_free(plate);
-    claim(c, "T-1b.plate", "plate, h = 1/32: rms difference of stress from the reference [GPa]",
-          rms, 0, 2.2);
-    claim(c, "T-1b.plate-scatter", "plate: scatter of the stress along the hole [GPa]", scatter, 0,
-          1.8);
+    claim(
+        c, "T-1b.plate",
+        "GE-WLS, plate, h = 1/32: rms difference of stress along the hole from the reference [GPa]",
+        rms, 0, 2.2);
+    claim(c, "T-1b.plate-scatter",
+          "GE-WLS, plate, h = 1/32: scatter of stress along the hole [GPa]", scatter, 0, 1.8);
 }
 
 static void check(Check *c, const Results *r)

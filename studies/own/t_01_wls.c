@@ -159,10 +159,10 @@ static void check_values(Check *c, const Table *rows)
         {8, 6.60e-3, 1}, {16, 1.88e-3, 1}, {32, 5.31e-4, 1}, {64, 1.11e-4, 1}, {128, 2.79e-5, 1}};
     Curve curve;
     pick(&curve, rows, "error_linf", WLS);
-    claim(c, "T-1.wls-values", "WLS: largest departure from the agreed errors at N = 8 ... 128",
+    claim(c, "T-1.wls-values", "WLS: largest departure from the recorded errors at N = 8 ... 128",
           curve_deviation(&curve, 5, wls), 0, 0.15);
     pick(&curve, rows, "error_linf", WLS2);
-    claim(c, "T-1.wls2-values", "WLS2: largest departure from the agreed errors at N = 8 ... 128",
+    claim(c, "T-1.wls2-values", "WLS2: largest departure from the recorded errors at N = 8 ... 128",
           curve_deviation(&curve, 5, wls2), 0, 0.15);
 }
 
@@ -172,15 +172,18 @@ static void check_causes(Check *c, const Table *rows)
           order(rows, WLS, 32, 128, 5), 1.2, 1.8);
     claim(c, "T-1.wls2-order", "WLS2 is of second order over N = 16 ... 64",
           order(rows, WLS2, 16, 64, 5), 1.8, 2.3);
-    claim(c, "T-1.wls2-128", "WLS2 stays of second order to N = 128: its largest error there",
+    claim(c, "T-1.wls2-128", "WLS2 continues at second order to N = 128: its largest error there",
           error_at(rows, WLS2, 128), 0, 4e-5);
     claim(c, "T-1.no-normals",
-          "without the distance along normals the tail is back: error over WLS2's at N = 128",
+          "WLS2 without the distance along normals falls below second order: error over WLS2's at "
+          "N = 128",
           measure_ratio(error_at(rows, MEAN, 128), error_at(rows, WLS2, 128)), 1.3, 10);
-    claim(c, "T-1.no-exact", "without the exact rule in cut cells: error over WLS2's at N = 128",
+    claim(c, "T-1.no-exact",
+          "WLS2 without the exact rule in cut cells falls below second order: error over WLS2's at "
+          "N = 128",
           measure_ratio(error_at(rows, CENTROID, 128), error_at(rows, WLS2, 128)), 1.3, 10);
     claim(c, "T-1.spline-order",
-          "the return path through the wide spline keeps second order over N = 64 ... 256",
+          "WLS2 with return=spline is of second order: order over N = 64 ... 256",
           order(rows, SPLINE, 64, 256, 5), 1.8, 2.3);
 }
 
@@ -189,15 +192,16 @@ static void check_failures(Check *c, const Table *rows)
 {
     char where[256];
     Measure lost = measure_sum_of(5);
-    claim(c, "T-1.c0", "values of nodes only, no slopes: largest error at N = 64 (WLS: 2.7e-4)",
+    claim(c, "T-1.c0",
+          "WLS with values at nodes only, no slopes: largest error at N = 64 (WLS: 2.7e-4)",
           error_at(rows, C0, 64), 5e-3, 1);
     for (int k = 0; k < 5; k++) {
         const double steps =
             select_ended(rows, "steps", "%s cells=%d", where_is(LITERAL, where), cells[k]).value;
         measure_add(&lost, isnan(steps) ? NAN : steps < 20);
     }
-    claim(c, "T-1.literal", "the mean of forces as printed: runs of five lost within 20 steps",
-          lost, 5, 5);
+    claim(c, "T-1.literal",
+          "WLS with the mean of forces as printed: runs of five lost within 20 steps", lost, 5, 5);
 }
 
 /* Orders from N = 16 on. */
@@ -213,13 +217,19 @@ static void check_cuts(Check *c, const Results *r)
         most[m] = curve_max(&curve, CUT_MESHES);
     }
     claim(c, "T-1.cuts-mean",
-          "cut points by the mean of surface points fall below second order: order over 16 ... 128",
+          "Cut points by the mean of surface points (WLS) are below second order: order over N = "
+          "16 ... 128",
           order[0], 0.6, 1.8);
-    claim(c, "T-1.cuts-normals", "by normals they are of second order", order[1], 1.8, 2.2);
-    claim(c, "T-1.cuts-bound", "largest distance by normals at any N, in h^2 [1/m]", most[1], 0,
-          0.2);
-    claim(c, "T-1.cuts-curved", "on a curved surface they are of third order or better", order[2],
-          2.8, 5);
+    claim(c, "T-1.cuts-normals",
+          "Cut points by normals (WLS2) are of second order: order over N = 16 ... 128", order[1],
+          1.8, 2.2);
+    claim(c, "T-1.cuts-bound",
+          "Cut points by normals (WLS2): largest distance from the surface at any N, in h^2 [1/m]",
+          most[1], 0, 0.2);
+    claim(c, "T-1.cuts-curved",
+          "Cut points on a curved surface (GE-WLS) are of third order or better: order over N = 16 "
+          "... 128",
+          order[2], 2.8, 5);
 }
 
 static void check(Check *c, const Results *r)

@@ -112,22 +112,32 @@ static void check_bar(Check *c, const Table *worst)
 {
     static const char tent[] = "method=mpm integrator=cd", gimp[] = "method=gimp integrator=cd";
     static const char ge[] = "method=ge_gimp integrator=cd";
-    claim(c, "T-4.tent", "tents with cd, 1D: largest stable CFL at A = 1e-4, worst PPC",
+    claim(c, "T-4.tent", "MPM with cd, 1D, A = 1e-4: largest stable CFL at the worst PPC",
           bar(worst, "stable", tent, 1e-4), 0.7, 0.8);
-    claim(c, "T-4.tent-.01", "MPM at A = .01: largest stable CFL", bar(worst, "stable", tent, 0.01),
-          0.7, 0.8);
-    claim(c, "T-4.tent-.05", "MPM at A = .05, where particles cross cells: largest stable CFL",
+    claim(c, "T-4.tent-.01", "MPM with cd, 1D, A = .01: largest stable CFL at the worst PPC",
+          bar(worst, "stable", tent, 0.01), 0.7, 0.8);
+    claim(c, "T-4.tent-.05",
+          "MPM with cd, 1D, A = .05, where particles cross cells: largest stable CFL at the worst "
+          "PPC",
           bar(worst, "stable", tent, 0.05), 0.05, 0.1);
-    claim(c, "T-4.gimp", "GIMP with cd: A = 1e-4", bar(worst, "stable", gimp, 1e-4), 0.7, 0.8);
-    claim(c, "T-4.gimp-.01", "A = .01", bar(worst, "stable", gimp, 0.01), 0.8, 0.9);
-    claim(c, "T-4.gimp-.05", "A = .05", bar(worst, "stable", gimp, 0.05), 0.8, 0.9);
-    claim(c, "T-4.ge-gimp", "GE-GIMP with cd: A = 1e-4", bar(worst, "stable", ge, 1e-4), 1, 1.1);
-    claim(c, "T-4.ge-gimp-.01", "A = .01", bar(worst, "stable", ge, 0.01), 1, 1.1);
-    claim_differs(c, "T-4.ge-gimp-.05", "A = .05", bar(worst, "stable", ge, 0.05), 0.6, 0.7, 0.1,
-                  0.6, "runs end well up to .6, but energy grows by more than 5 % long before");
-    claim(c, "T-4.ge-gimp-.05-kept",
-          "GE-GIMP at A = .05 if energy may grow: largest CFL that is not lost",
-          bar(worst, "kept", ge, 0.05), 0.6, 0.7);
+    claim(c, "T-4.gimp", "GIMP with cd, 1D, A = 1e-4: largest stable CFL at the worst PPC",
+          bar(worst, "stable", gimp, 1e-4), 0.7, 0.8);
+    claim(c, "T-4.gimp-.01", "GIMP with cd, 1D, A = .01: largest stable CFL at the worst PPC",
+          bar(worst, "stable", gimp, 0.01), 0.8, 0.9);
+    claim(c, "T-4.gimp-.05", "GIMP with cd, 1D, A = .05: largest stable CFL at the worst PPC",
+          bar(worst, "stable", gimp, 0.05), 0.8, 0.9);
+    claim(c, "T-4.ge-gimp", "GE-GIMP with cd, 1D, A = 1e-4: largest stable CFL at the worst PPC",
+          bar(worst, "stable", ge, 1e-4), 1, 1.1);
+    claim(c, "T-4.ge-gimp-.01", "GE-GIMP with cd, 1D, A = .01: largest stable CFL at the worst PPC",
+          bar(worst, "stable", ge, 0.01), 1, 1.1);
+    claim_differs(c, "T-4.ge-gimp-.05",
+                  "GE-GIMP with cd, 1D, A = .05: largest stable CFL at the worst PPC",
+                  bar(worst, "stable", ge, 0.05), 0.6, 0.7, 0.1, 0.6,
+                  "runs end well up to .6, but energy grows by more than 5 % long before");
+    claim(
+        c, "T-4.ge-gimp-.05-kept",
+        "GE-GIMP with cd, 1D, A = .05: largest CFL at which no run is lost, energy growth allowed",
+        bar(worst, "kept", ge, 0.05), 0.6, 0.7);
 }
 
 static void check(Check *c, const Results *r)
@@ -137,16 +147,22 @@ static void check(Check *c, const Results *r)
     for (int k = 0; k < 2; k++) {
         const char *pair = k ? "method=gimp integrator=uvf" : "method=gimp integrator=musl";
         claim(c, k ? "T-4.uvf" : "T-4.musl",
-              k ? "GIMP with uvf: A = 1e-4 and .01, the lower limit"
-                : "GIMP with musl: A = 1e-4 and .01, the lower limit",
+              k ? "GIMP with uvf, 1D: largest stable CFL, the lower of A = 1e-4 and .01"
+                : "GIMP with musl, 1D: largest stable CFL, the lower of A = 1e-4 and .01",
               measure_min(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4,
               2);
     }
-    claim(c, "T-4.plane-gimp", "2D, own measurement: GIMP with cd, the worse amplitude",
+    claim(c, "T-4.plane-gimp",
+          "GIMP with cd, 2D: largest stable CFL, worst amplitude and PPC (own measurement)",
           plane(worst, "gimp", "cd"), 0.65, 0.8);
-    claim(c, "T-4.plane-bspline", "B-splines with cd", plane(worst, "bspline", "cd"), 0.9, 1.2);
-    claim(c, "T-4.plane-fem", "FEM", plane(worst, "fem", "cd"), 0.6, 0.8);
-    claim(c, "T-4.stale", "a stale gradient projected twice a step: largest limit of all such",
+    claim(c, "T-4.plane-bspline",
+          "B-splines with cd, 2D: largest stable CFL, worst amplitude and PPC (own measurement)",
+          plane(worst, "bspline", "cd"), 0.9, 1.2);
+    claim(c, "T-4.plane-fem", "FEM, 2D: largest stable CFL, worst amplitude (own measurement)",
+          plane(worst, "fem", "cd"), 0.6, 0.8);
+    claim(c, "T-4.stale",
+          "Methods that project twice a step with a stale gradient: largest stable CFL of all of "
+          "them",
           best_stale(worst), 0, 0);
 }
 

@@ -130,35 +130,42 @@ static void check(Check *c, const Results *r)
 {
     enum { CD, USL, MUSL, UVF, USF, MUSL_FRESH, UVF_FRESH };
     claim(c, "T-5.gimp",
-          "GIMP keeps the energy in all five integrators: largest change in ten periods",
+          "GIMP keeps the energy with all five integrators: largest relative change in ten periods",
           largest_drift(r->rows, 1, "gimp", CD, USF), 0, 0.0008);
-    claim(c, "T-5.stale", "a stale gradient with musl, uvf or usf: runs lost of six",
+    claim(c, "T-5.stale",
+          "GE-MPM and GE-GIMP with a stale gradient (musl, uvf, usf): runs lost, of six",
           measure_sum(losses(r->rows, 1, "ge_gimp", MUSL, USF, INFINITY),
                       losses(r->rows, 1, "ge_mpm", MUSL, USF, INFINITY)),
           6, 6);
-    claim(c, "T-5.ge-gimp", "GE-GIMP is stable with cd and usl: largest energy change",
+    claim(c, "T-5.ge-gimp", "GE-GIMP is stable with cd and usl: largest relative change of energy",
           largest_drift(r->rows, 1, "ge_gimp", CD, USL), 0, 0.05);
-    claim(c, "T-5.refresh", "GE-GIMP with musl and uvf and a fresh gradient: largest energy change",
+    claim(c, "T-5.refresh",
+          "GE-GIMP is stable with musl and uvf if the gradient is fresh: largest relative change "
+          "of energy",
           largest_drift(r->rows, 1, "ge_gimp", MUSL_FRESH, UVF_FRESH), 0, 0.05);
-    claim(c, "T-5.tent-cd", "tents lose a fifth of the energy with cd", drift(r->rows, "mpm", "cd"),
-          -0.25, -0.15);
-    claim(c, "T-5.tent-usl", "tents lose a fifth of the energy with usl",
+    claim(c, "T-5.tent-cd", "MPM loses a fifth of the energy with cd: relative change",
+          drift(r->rows, "mpm", "cd"), -0.25, -0.15);
+    claim(c, "T-5.tent-usl", "MPM loses a fifth of the energy with usl: relative change",
           drift(r->rows, "mpm", "usl"), -0.25, -0.15);
-    claim_differs(c, "T-5.tent-uvf", "tents keep the energy with uvf: change",
+    claim_differs(c, "T-5.tent-uvf", "MPM keeps the energy with uvf: relative change",
                   drift(r->rows, "mpm", "uvf"), -0.005, 0.005, -0.03, 0.03,
                   "how much is luck of round-off: tents cross cells");
-    claim(c, "T-5.tent-usf", "tents gain energy with usf (how much is luck of round-off)",
+    claim(c, "T-5.tent-usf",
+          "MPM gains some energy with usf (how much depends on round-off): relative change",
           drift(r->rows, "mpm", "usf"), 0.01, 1);
-    claim(c, "T-5.plane-gimp", "2D: GIMP runs lost in any integrator",
+    claim(c, "T-5.plane-gimp", "GIMP in 2D is stable with all five integrators: runs lost",
           losses(r->rows, 2, "gimp", CD, USF, INFINITY), 0, 0);
     claim(c, "T-5.plane-stale",
-          "2D: a stale gradient: runs lost, or with twice their energy, of six",
+          "GE-MPM and GE-GIMP in 2D with a stale gradient (musl, uvf, usf): runs lost, or with 1.5 "
+          "times their energy, of six",
           measure_sum(losses(r->rows, 2, "ge_gimp", MUSL, USF, 0.5),
                       losses(r->rows, 2, "ge_mpm", MUSL, USF, 0.5)),
           6, 6);
-    claim(c, "T-5.plane-ge-gimp", "2D: GE-GIMP with cd and usl: largest energy change",
+    claim(c, "T-5.plane-ge-gimp",
+          "GE-GIMP in 2D with cd and usl: largest relative change of energy",
           largest_drift(r->rows, 2, "ge_gimp", CD, USL), 0, 0.05);
-    claim(c, "T-5.plane-refresh", "2D: with musl and uvf, if the gradient is fresh",
+    claim(c, "T-5.plane-refresh",
+          "GE-GIMP in 2D with musl and uvf and a fresh gradient: largest relative change of energy",
           largest_drift(r->rows, 2, "ge_gimp", MUSL_FRESH, UVF_FRESH), 0, 0.05);
 }
 

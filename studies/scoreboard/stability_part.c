@@ -5,7 +5,7 @@
 #include <string.h>
 #include "studies/tables/grades.h"
 #include "parts.h"
-#include "studies/runs/run_args.h"
+#include "studies/runs/engines.h"
 
 typedef struct Sheet {
     const Study *study;
@@ -46,9 +46,10 @@ static void sheets_free(Sheets *s)
     table_free(s->points);
 }
 
-static bool is(const Table *t, int row, const char *column, const char *value)
+/* The next row of a method in a table, which may be NULL; -1: none. */
+static int next_of(const Table *t, int row, const char *method)
 {
-    return strcmp(table_text(t, row, column), value) == 0;
+    return t ? select_next(t, row, "method=%s", method) : -1;
 }
 
 static Mark mark_read(const char *word)
@@ -64,19 +65,19 @@ static void safe_steps(FILE *f, const Table *t, const char *method)
     int found = 0;
     for (int dim = 1; dim <= 3; dim++) {
         int here = 0;
-        for (int row = 0; t && row < t->nrow; row++) {
-            if (!is(t, row, "method", method) || table_number(t, row, "dim") != dim) continue;
+        for (int row = -1; (row = next_of(t, row, method)) >= 0;) {
+            if (select_number(t, row, "dim") != dim) continue;
             if (here == 0)
                 fprintf(f, "%s<span class=\"soft\">%dD</span> ", found ? "<br>" : "", dim);
-            page_element(f, here ? ", " : "", table_text(t, row, "integrator"), " ");
-            fprintf(f, "%.2g", table_number(t, row, "safe_cfl"));
+            page_element(f, here ? ", " : "", select_text(t, row, "integrator"), " ");
+            fprintf(f, "%.2g", select_number(t, row, "safe_cfl"));
             here++, found++;
         }
     }
     if (!found) fputs("&ndash;", f);
-    for (int row = 0; t && row < t->nrow; row++)
-        if (is(t, row, "method", method) && table_text(t, row, "first_failure")[0]) {
-            page_element(f, "<br><span class=\"soft\">then ", table_text(t, row, "first_failure"),
+    for (int row = -1; (row = next_of(t, row, method)) >= 0;)
+        if (select_text(t, row, "first_failure")[0]) {
+            page_element(f, "<br><span class=\"soft\">then ", select_text(t, row, "first_failure"),
                          "</span>");
             break;
         }
@@ -88,12 +89,12 @@ static double ring_limit(const Table *t, const char *method)
     const char *layout = strstr(method, "wls") ? "radial" : "cartesian";
     double lost = INFINITY, most = NAN;
     for (int row = 0; t && row < t->nrow; row++)
-        if (is(t, row, "method", method) && is(t, row, "layout", layout) &&
+        if (select_is(t, row, "method", method) && select_is(t, row, "layout", layout) &&
             table_number(t, row, "cells") > 31.5 && table_number(t, row, "cells") < 32.5 &&
-            !is(t, row, "status", "ok") && !is(t, row, "status", "energy_growth"))
+            !select_is(t, row, "status", "ok") && !select_is(t, row, "status", "energy_growth"))
             lost = fmin(lost, table_number(t, row, "cfl"));
     for (int row = 0; t && row < t->nrow; row++)
-        if (is(t, row, "method", method) && is(t, row, "layout", layout) &&
+        if (select_is(t, row, "method", method) && select_is(t, row, "layout", layout) &&
             table_number(t, row, "cells") > 31.5 && table_number(t, row, "cells") < 32.5 &&
             table_number(t, row, "cfl") < lost)
             most = fmax(isnan(most) ? 0 : most, table_number(t, row, "cfl"));
@@ -105,7 +106,7 @@ static double touched_limit(const Table *t, const char *method)
 {
     double least = NAN;
     for (int row = 0; t && row < t->nrow; row++)
-        if (is(t, row, "method", method))
+        if (select_is(t, row, "method", method))
             least = fmin(isnan(least) ? INFINITY : least, table_number(t, row, "critical"));
     return least;
 }
@@ -122,12 +123,11 @@ static void marks(FILE *f, const Sheets *s, const char *method)
 {
     static const char *const signs[MARKS] = {"&#10003;", "~", "&times;"};
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        for (int row = 0; one->grades && row < one->grades->nrow; row++) {
-            if (!is(one->grades, row, "method", method)) continue;
-            const Mark m = mark_read(table_text(one->grades, row, "grade"));
+        for (int row = -1; (row = next_of(one->grades, row, method)) >= 0;) {
+            const Mark m = mark_read(select_text(one->grades, row, "grade"));
             fprintf(f, "<a class=\"m %s\" href=\"#%s\"", grade_mark_names[m], one->study->name);
-            page_element(f, " title=\"", table_text(one->grades, row, "note"), "\">");
-            page_element(f, "", table_text(one->grades, row, "case"), " ");
+            page_element(f, " title=\"", select_text(one->grades, row, "note"), "\">");
+            page_element(f, "", select_text(one->grades, row, "case"), " ");
             fprintf(f, "%s</a>", signs[m]);
         }
 }
@@ -139,9 +139,9 @@ static void first_break(FILE *f, const Sheets *s, const char *method)
     int at = 0;
     Mark worst = MARK_OK;
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        for (int row = 0; one->grades && row < one->grades->nrow; row++) {
-            const Mark m = mark_read(table_text(one->grades, row, "grade"));
-            if (!is(one->grades, row, "method", method) || m <= worst) continue;
+        for (int row = -1; (row = next_of(one->grades, row, method)) >= 0;) {
+            const Mark m = mark_read(select_text(one->grades, row, "grade"));
+            if (m <= worst) continue;
             worst = m;
             found = one;
             at = row;
@@ -150,17 +150,16 @@ static void first_break(FILE *f, const Sheets *s, const char *method)
         fputs("nothing tried here", f);
         return;
     }
-    page_element(f, "<b>", table_text(found->grades, at, "case"), "</b>");
+    page_element(f, "<b>", select_text(found->grades, at, "case"), "</b>");
     fputs(worst == MARK_WEAK ? " (weak): " : ": ", f);
-    page_text(f, table_text(found->grades, at, "note"));
+    page_text(f, select_text(found->grades, at, "note"));
 }
 
 /* How a pair of T-5 went: 0 best, 3 lost; -1: not tried. */
 static int pair_grade(const Table *t, const char *method, const char *integrator)
 {
-    for (int row = 0; t && row < t->nrow; row++)
-        if (is(t, row, "method", method) && is(t, row, "integrator", integrator))
-            return (int)table_number(t, row, "grade");
+    for (int row = -1; (row = next_of(t, row, method)) >= 0;)
+        if (select_is(t, row, "integrator", integrator)) return (int)select_number(t, row, "grade");
     return -1;
 }
 
@@ -176,12 +175,13 @@ static int fresh_gradients(FILE *f, const Table *t, const char *method)
 static void worse(FILE *f, const Table *t, const char *method, const char *remedy)
 {
     for (int row = 0; row < t->nrow; row++) {
-        if (!is(t, row, "method", method) || !is(t, row, "remedy", remedy)) continue;
-        const Mark before = mark_read(table_text(t, row, "before"));
-        const Mark after = mark_read(table_text(t, row, "after"));
+        if (!select_is(t, row, "method", method) || !select_is(t, row, "remedy", remedy)) continue;
+        const Mark before = mark_read(select_text(t, row, "before"));
+        const Mark after = mark_read(select_text(t, row, "after"));
         if (after < before) continue;
-        page_element(f, "; ", table_text(t, row, "case"), after > before ? " worse" : " no better");
-        const char *note = table_text(t, row, "note");
+        page_element(f, "; ", select_text(t, row, "case"),
+                     after > before ? " worse" : " no better");
+        const char *note = select_text(t, row, "note");
         if (*note) page_element(f, " (", note, ")");
     }
 }
@@ -191,17 +191,16 @@ static void helps(FILE *f, const Sheets *s, const char *method)
 {
     int n = fresh_gradients(f, s->pairs, method);
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        for (int row = 0; one->remedies && row < one->remedies->nrow; row++) {
+        for (int row = -1; (row = next_of(one->remedies, row, method)) >= 0;) {
             const Table *t = one->remedies;
-            if (!is(t, row, "method", method)) continue;
-            if (mark_read(table_text(t, row, "after")) >= mark_read(table_text(t, row, "before")))
+            if (mark_read(select_text(t, row, "after")) >= mark_read(select_text(t, row, "before")))
                 continue;
-            page_element(f, n++ ? "<br><code>" : "<code>", table_text(t, row, "remedy"),
+            page_element(f, n++ ? "<br><code>" : "<code>", select_text(t, row, "remedy"),
                          "</code> ");
-            page_element(f, "<span class=\"soft\">", table_text(t, row, "case"), ": ");
-            page_element(f, "", table_text(t, row, "before"), " &rarr; ");
-            page_element(f, "", table_text(t, row, "after"), "");
-            worse(f, t, method, table_text(t, row, "remedy"));
+            page_element(f, "<span class=\"soft\">", select_text(t, row, "case"), ": ");
+            page_element(f, "", select_text(t, row, "before"), " &rarr; ");
+            page_element(f, "", select_text(t, row, "after"), "");
+            worse(f, t, method, select_text(t, row, "remedy"));
             fputs("</span>", f);
         }
     if (n == 0) fputs("&ndash;", f);
@@ -210,8 +209,7 @@ static void helps(FILE *f, const Sheets *s, const char *method)
 static bool is_graded(const Sheets *s, const char *method)
 {
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        for (int row = 0; one->grades && row < one->grades->nrow; row++)
-            if (is(one->grades, row, "method", method)) return true;
+        if (next_of(one->grades, -1, method) >= 0) return true;
     return false;
 }
 
@@ -247,14 +245,15 @@ void page_stability(const Page *page)
             "(W11-6, N = 32), and the least stable step if a free edge lies barely inside a cell "
             "(H-5). What helps is what gave a better mark in a run, with what it makes worse."
             "</p>\n<details><summary>Hard cases: &#10003;, ~ or &times;, and where the lines are "
-            "drawn</summary><ul><li>H1 force inside a uniformly stressed body / (sigma A): 1e-10, "
-            ".1</li><li>H2 invisible mode left after 1500 steps: .1, 1.1</li><li>H3 stress at "
+            "drawn</summary><ul><li>H-1 force inside a uniformly stressed body / (sigma A): 1e-10, "
+            ".1</li><li>H-2 invisible mode left after 1500 steps: .1, 1.1</li><li>H-3 stress at "
             "stretch 4: right, or right but not carried</li><li>H-4 cantilever at nu = .499: bends "
             "within .1, .5 of the reference</li><li>H-5 stable step with an edge barely in a cell: "
-            ".3, .1 h/c</li><li>H6, H10 error of a linear field: 1e-12, 1</li><li>H7 particles per "
-            "axis for an error below .1: .5, 1.5</li><li>H8a area after ten imposed turns: within "
-            ".01; any</li><li>H8b angular momentum a turn: .002, 1</li><li>H13 energy over long "
-            "runs: 5 %; reaches the end</li><li>H14 free fall: 1e-12, 1e-3 m</li><li>H-15 vortex, "
+            ".3, .1 h/c</li><li>H-6, H-10 error of a linear field: 1e-12, 1</li><li>H-7 particles "
+            "per "
+            "axis for an error below .1: .5, 1.5</li><li>H-8a area after ten imposed turns: within "
+            ".01; any</li><li>H-8b angular momentum a turn: .002, 1</li><li>H-13 energy over long "
+            "runs: 5 %; reaches the end</li><li>H-14 free fall: 1e-12, 1e-3 m</li><li>H-15 vortex, "
             "G = .5: error .03 m; reaches the end</li></ul></details>\n<table class=\"stack sort\" "
             "id=\"hard\"><thead><tr><th>method</th><th>stable on one wave</th><th>breaks "
             "first</th><th>hard cases</th><th>what helps</th></tr></thead><tbody>\n",

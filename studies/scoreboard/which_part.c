@@ -1,10 +1,10 @@
 /* which_part.c: which method for which error, from the table of costs that study T-2 leaves. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include "studies/runs/must.h"
 #include "parts.h"
-#include "studies/tables/curves.h"
+#include "studies/runs/engines.h"
+#include "studies/select.h"
 
 static const char costs[] = "t_02_work_precision";
 static const char *const targets[] = {"0.01", "0.001", "0.0003", "0.0001"};
@@ -17,33 +17,24 @@ static Table *costs_read(const Page *page, const char *name)
 
 const char *method_label(const char *method)
 {
-    for (const Engine *const *e = engines; *e; e++)
-        for (const Info *const *m = (*e)->methods; *m; m++)
-            if (strcmp((*m)->name, method) == 0) return (*m)->label;
-    return method;
+    const Info *info = engine_method(method);
+    return info ? info->label : method;
 }
 
 static const char *title_of(const char *problem)
 {
-    for (const Engine *const *e = engines; *e; e++)
-        for (const Info *const *p = (*e)->problems; *p; p++)
-            if (strcmp((*p)->name, problem) == 0) return (*p)->about;
-    return "";
-}
-
-static bool is(const Table *t, int row, const char *column, const char *value)
-{
-    return strcmp(table_text(t, row, column), value) == 0;
+    const Info *info = engine_problem(problem);
+    return info ? info->about : "";
 }
 
 static bool is_reached(const Table *t, int row)
 {
-    return is(t, row, "how", "reached") || is(t, row, "how", "below");
+    return select_is(t, row, "how", "reached") || select_is(t, row, "how", "below");
 }
 
 static bool has_particles(const Table *t, int row)
 {
-    return isfinite(table_number(t, row, "ppc"));
+    return isfinite(select_number(t, row, "ppc"));
 }
 
 /* The row of least time to this error, with particles or without; extrapolated only if none gets
@@ -51,13 +42,12 @@ static bool has_particles(const Table *t, int row)
 static int cheapest(const Table *t, const char *problem, const char *target, bool particles)
 {
     int best = -1;
-    for (int row = 0; row < t->nrow; row++) {
-        if (!is(t, row, "problem", problem) || !is(t, row, "target", target)) continue;
-        if (is(t, row, "how", "never") || has_particles(t, row) != particles) continue;
+    for (int row = -1; (row = select_next(t, row, "problem=%s target=%s", problem, target)) >= 0;) {
+        if (select_is(t, row, "how", "never") || has_particles(t, row) != particles) continue;
         const bool firm = is_reached(t, row);
         if (best < 0 || firm > is_reached(t, best) ||
             (firm == is_reached(t, best) &&
-             table_number(t, row, "seconds") < table_number(t, best, "seconds")))
+             select_number(t, row, "seconds") < select_number(t, best, "seconds")))
             best = row;
     }
     return best;
@@ -65,11 +55,11 @@ static int cheapest(const Table *t, const char *problem, const char *target, boo
 
 static void seconds(FILE *f, const Table *t, int row)
 {
-    const double s = table_number(t, row, "seconds");
-    const char *sign = is(t, row, "how", "below")          ? "&le; "
-                       : is(t, row, "how", "extrapolated") ? "~ "
-                                                           : "";
-    if (is(t, row, "how", "never") || !isfinite(s))
+    const double s = select_number(t, row, "seconds");
+    const char *sign = select_is(t, row, "how", "below")          ? "&le; "
+                       : select_is(t, row, "how", "extrapolated") ? "~ "
+                                                                  : "";
+    if (select_is(t, row, "how", "never") || !isfinite(s))
         fputs("&ndash;", f);
     else if (s < 1e-3)
         fprintf(f, "%s%.3g &micro;s", sign, 1e6 * s);
@@ -80,13 +70,14 @@ static void seconds(FILE *f, const Table *t, int row)
 /* "GIMP, fitted, 4 per cell, N = 20" */
 static void options(FILE *f, const Table *t, int row)
 {
-    page_text(f, method_label(table_text(t, row, "method")));
+    page_text(f, method_label(select_text(t, row, "method")));
     fputs("</b> <span class=\"soft\">", f);
     if (has_particles(t, row))
-        fprintf(f, "%s, %.2g per cell, %s, ", is(t, row, "layout", "radial") ? "fitted" : "lattice",
-                table_number(t, row, "ppc"), table_text(t, row, "integrator"));
-    fprintf(f, "N = %.0f%s</span>", table_number(t, row, "cells"),
-            is(t, row, "how", "extrapolated") ? ", extrapolated" : "");
+        fprintf(f, "%s, %.2g per cell, %s, ",
+                select_is(t, row, "layout", "radial") ? "fitted" : "lattice",
+                select_number(t, row, "ppc"), select_text(t, row, "integrator"));
+    fprintf(f, "N = %.0f%s</span>", select_number(t, row, "cells"),
+            select_is(t, row, "how", "extrapolated") ? ", extrapolated" : "");
 }
 
 static void answer(FILE *f, const Table *t, int row)
@@ -133,7 +124,7 @@ void page_which(const Page *page)
             "</tr></thead><tbody>\n",
             costs);
     for (int row = t->nrow - 1; row >= 0; row--) { /* the ring first */
-        const char *problem = table_text(t, row, "problem");
+        const char *problem = select_text(t, row, "problem");
         if (strcmp(problem, last) != 0) problem_row(page->f, t, problem);
         last = problem;
     }
@@ -152,8 +143,8 @@ void page_prices(const Page *page, const char *name)
           "</th><th>1e-4</th></tr>\n",
           page->f);
     for (int row = 0; row + TARGETS <= t->nrow; row += TARGETS) {
-        page_element(page->f, "<tr><td>", table_text(t, row, "problem"), "</td><td>");
-        page_element(page->f, "", method_label(table_text(t, row, "method")), "</td>");
+        page_element(page->f, "<tr><td>", select_text(t, row, "problem"), "</td><td>");
+        page_element(page->f, "", method_label(select_text(t, row, "method")), "</td>");
         for (int k = 0; k < TARGETS; k++) {
             fputs("<td class=\"n\">", page->f);
             seconds(page->f, t, row + k);

@@ -109,7 +109,7 @@ static void check(Check *c, const Results *r)
         spurious += is > 0;
         if (R >= 0.625 && R <= 1.1) measure_add(&inner, is);
     }
-    claim(c, "W11-3.outside", "no node inside the ring is spurious: how many are", inner, 0, 0);
+    claim(c, "W11-3.outside", "WLS: no node inside the ring is spurious: how many are", inner, 0, 0);
     claim(c, "W11-3.circular",
           "lines of equal weight are nearly circles: least over largest radius of that of .12",
           measure_formula(roundness(trigger)), 0.95, 1);

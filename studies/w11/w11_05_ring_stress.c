@@ -35,8 +35,8 @@ static Measure largest_stress(const Results *r, const char *ms)
 static void check(Check *c, const Results *r)
 {
     claim(c, "W11-5.rest",
-          "at 5 ms the ring passes through its stress-free shape: largest stress there "
-          "against that at 0 ms",
+          "Ring: at 5 ms it passes through its stress-free shape: largest stress there over that "
+          "at 0 ms",
           measure_ratio(largest_stress(r, "5ms"), largest_stress(r, "0ms")), 0, 0.1);
 }
 

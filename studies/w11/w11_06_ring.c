@@ -195,7 +195,7 @@ static void check(Check *c, const Results *r)
     check_wls(c, r->rows);
     check_orders(c, r->rows);
     check_wls2(c, r->rows);
-    claim(c, "W11-6.mpm-order", "MPM does not converge: order over N = 8 to 128",
+    claim(c, "W11-6.mpm-order", "MPM does not converge on the ring: order over N = 8 to 128",
           order(r->rows, "mpm", "cartesian", 8, 128, MESHES), -1, 0);
     claim_note(c, "order_gimp_radial", order(r->rows, "gimp", "radial", 8, 128, MESHES).value);
     for (const Info *const *m = engine_2d.methods; *m; m++) {

@@ -56,13 +56,15 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-7.flight", "WLS: strain energy at t = 0 over that at t = 3",
           measure_ratio(start.energy, last.energy), 0, 1e-12);
     claim(c, "W11-7.vibration",
-          "at t = 2, between two impacts, little of it is left: strain energy over that at t = 3",
+          "WLS: at t = 2, between two impacts, little strain energy is left: that over the one at "
+          "t = 3",
           measure_ratio(later.energy, last.energy), 0, 0.2);
-    claim(c, "W11-7.second-impact",
-          "fig. 7c is the second impact: at t = 3 the disk is at the right wall, largest x [m]",
-          last.right, 0.98, 1.001);
+    claim(
+        c, "W11-7.second-impact",
+        "WLS: fig. 7c is the second impact: at t = 3 the disk is at the right wall: largest x [m]",
+        last.right, 0.98, 1.001);
     claim(c, "W11-7.turning",
-          "at t = 3 the disk is being thrown back: mean vx over that at the start",
+          "WLS: at t = 3 the right wall is throwing the disk back: mean vx over that at the start",
           measure_ratio(last.vx, start.vx), -0.6, -0.1);
 }
 

@@ -79,7 +79,7 @@ if [ "$(id -u)" -eq 0 ] && mkdir "$disk" && mount -t tmpfs -o size=200k tmpfs "$
     failed_well "full disk" 1 "No space left on device"
     run study $few --quick --out "$disk"
     failed_well "full from the start" 1 "No space left on device"
-    run run squeeze --csv "$disk/t.csv" --cells 20 --history "$disk/h.csv" --particles "$disk/p.csv"
+    run run bar --set steps=3 --csv "$disk/t.csv" --cells 20 --history "$disk/h.csv" --particles "$disk/p.csv"
     failed_well "run on a full disk" 1 "No space left on device"
     ok "no half table" test ! -s "$disk/t.csv" -a ! -e "$disk/p.csv"
     ok "nothing half written" test -z "$(find "$disk" -name '*.tmp*')"

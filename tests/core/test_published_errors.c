@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include "tests/fixture.h"
 
-/* ---- published numbers (PHYSICS 3 to 7): to their digits in 1D; in 2D the treatment of edges and
+/* ---- published numbers: to their digits in 1D; in 2D the treatment of edges and
  * of the last step is worth some per cent, with tents in the ring up to 8 */
 
 static const struct {

@@ -1,4 +1,5 @@
-/* test_rules.c: CONTRACT's rules for times, particle counts, pairs and defaults. */
+/* test_rules.c: the rules for times, particle counts, pairs of method and integrator, and defaults.
+ */
 #include <string.h>
 #include "tests/fixture.h"
 
@@ -87,7 +88,7 @@ static void test_counts_refused(void)
     check_refused(&none, "gimmp", CD, NULL, (const char *[]){"gimmp", "gimp", NULL});
 }
 
-/* CONTRACT, "Pairs": 0 refused, 1 runs, 2 runs with refresh=1. */
+/* Pairs of method and integrator: 0 refused, 1 runs, 2 runs with refresh=1. */
 static const struct {
     const char *method;
     int cd, uvf, musl, usl, usf;

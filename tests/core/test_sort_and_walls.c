@@ -5,7 +5,7 @@
 
 static const Case moving[] = {{1, "free_block", 200, 3, 0, "drift=10;box=2"},
                               {2, "free_block", 16, 4, 0, "drift=4;spin=2;box=2"},
-                              {3, "free_block", 10, 8, 0, "drift=4;spin=2;box=2"}};
+                              {3, "free_block", 10, 8, 0.1, "drift=2;box=2;swing=0"}};
 
 /* Where the particle's stencil stands: GIMP's about the nearest node. */
 static void lattice_cell(const Sim *sim, int slot, int cell[DIM])
@@ -117,7 +117,9 @@ static void test_blocks(void)
 static const Case walled[] = {{1, "bar", 20, 2, 0, NULL},
                               {1, "sine_bar", 20, 2, 0, "A=0.1"},
                               {2, "plate_vibration", 10, 4, 0, "A=0.05"},
-                              {2, "ring", 8, 4, 0, NULL}};
+                              {2, "ring", 8, 4, 0, NULL},
+                              {3, "axis_mms", 6, 8, 0, NULL},
+                              {3, "shell", 6, 8, 0, NULL}};
 
 /* On a wall, and beyond if there are no images, held components are exactly 0; on a symmetry line
  * the normal one is, to the round-off of its two equal halves. */

@@ -9,6 +9,7 @@ static inline Fem *make(const Scene *s, int cells, int threads)
 {
     Fault fault = {0};
     Setup setup = {.scene = s, .cells = cells, .integrator = CD, .threads = threads};
+    check_context(DIM, s->problem ? s->problem->info.name : NULL, "fem", "cd", NULL);
     Fem *f = solver_fem.make(&setup, &fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(f);
     return f;

@@ -8,7 +8,8 @@
 #include "tests/fixture.h"
 
 static const Case blocks[] = {{1, "free_block", 200, 2, 0, NULL},
-                              {2, "free_block", 16, 4, 0, NULL}};
+                              {2, "free_block", 16, 4, 0, NULL},
+                              {3, "free_block", 10, 8, 0, NULL}};
 
 typedef void Check(Rig *r);
 
@@ -90,6 +91,7 @@ static double ringing_left(const char *method, const char *set, double *pic)
 {
     Rig r;
     double left = 0;
+    const double reach = DIM < 3 ? 0.2 : 0.06; /* as far from the edges, in cells */
     CU_ASSERT_FATAL(rig_plan(&r, &blocks[DIM - 1], method, CD, set));
     Sim *sim = rig_sim(&r);
     Particles *p = &sim->p;
@@ -99,7 +101,8 @@ static double ringing_left(const char *method, const char *set, double *pic)
     CU_ASSERT(rig_steps(&r, sim, 0, 3));
     for (int k = 0; k < p->n; k++) {
         bool inside = p->id[k] >= 0; /* at the edges S v is not nothing */
-        for (int d = 0; d < DIM; d++) inside = inside && fabs(p->field[AT_X0 + d][k] - 0.75) < 0.2;
+        for (int d = 0; d < DIM; d++)
+            inside = inside && fabs(p->field[AT_X0 + d][k] - 0.75) < reach;
         for (int a = 0; a < DIM && inside; a++)
             left = fmax(left, fabs(p->field[AT_V + a][k]) / 1e-6);
     }
@@ -123,6 +126,7 @@ static void test_ringing(void)
         blends += pic > 0 && pic < 1;
     }
     CU_ASSERT(blends >= 2);
+    if (DIM > 2) return; /* many rounds reach from the edges of this block to its middle */
     CU_ASSERT(ringing_left("xpic", STILL ";order=5", &pic) < 0.01);
     CU_ASSERT(ringing_left("fmpm", STILL ";order=5", &pic) < 0.01);
 }

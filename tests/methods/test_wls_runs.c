@@ -11,6 +11,7 @@ static void run(const char *problem, const char *method, int cells, const char *
     char text[256] = "";
     snprintf(spec.problem, sizeof spec.problem, "%s", problem);
     snprintf(spec.method, sizeof spec.method, "%s", method);
+    check_context(DIM, problem, method, NULL, set);
     if (set) snprintf(text, sizeof text, "%s", set);
     for (char *s = strtok(text, ","); s; s = strtok(NULL, ","))
         CU_ASSERT_FATAL(spec_set(&spec, s, &fault) == 0);

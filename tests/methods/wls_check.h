@@ -25,6 +25,7 @@ static inline void trial_open(Trial *t, const char *problem, const char *method,
     *t = (Trial){.spec = {.cells = cells, .threads = threads}};
     snprintf(t->spec.problem, sizeof t->spec.problem, "%s", problem);
     snprintf(t->spec.method, sizeof t->spec.method, "%s", method);
+    check_context(DIM, problem, method, NULL, set);
     if (set) snprintf(text, sizeof text, "%s", set);
     for (char *s = strtok(text, ","); s; s = strtok(NULL, ","))
         CU_ASSERT_FATAL(spec_set(&t->spec, s, &fault) == 0);

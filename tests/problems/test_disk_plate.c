@@ -1,7 +1,7 @@
 /* test_disk_plate.c: the scenes disk_impact and hole_plate: their points, walls and body force as
  * data, walls that hold and walls that let go, and the numbers of PHYSICS 9 and 10. */
 #include <string.h>
-#include "common/run/norm.h"
+#include "common/run/ledger.h"
 #include "common/contract/layout.h"
 #include "common/run/plan.h"
 #include "common/core/step.h"
@@ -204,6 +204,7 @@ static Row run_row(const char *problem, const char *method, double t_end, RunSpe
     Fault fault = {0};
     strcpy(spec.problem, problem);
     strcpy(spec.method, method);
+    check_context(DIM, problem, method, NULL, NULL);
     spec.t_end = t_end;
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     return row;

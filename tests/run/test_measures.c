@@ -1,7 +1,7 @@
 /* test_measures.c: what is measured of a state, against plain sums: error norms, energies, momenta,
  * volumes, the von Mises stress. */
 #include <stdio.h>
-#include "common/run/norm.h"
+#include "common/run/ledger.h"
 #include "common/run/output.h"
 #include "common/run/state.h"
 #include "common/base/table.h"

@@ -41,6 +41,7 @@ static Cover cover(const char *problem, const char *method, bool elements)
     Fault fault = {0};
     strcpy(spec.problem, problem);
     strcpy(spec.method, method);
+    check_context(DIM, problem, method, NULL, NULL);
     CU_ASSERT_FATAL(plan_make(&spec, &plan, &fault) == 0);
     void *self = plan.solver->make(&plan.setup, &fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(self);
@@ -89,7 +90,7 @@ static void test_files(void)
     CU_ASSERT_EQUAL(count_in("snap/particles.pvd", "<DataSet"), 4);
     CU_ASSERT_EQUAL(count_in("snap/nodes.pvd", "<DataSet"), 4);
     CU_ASSERT_EQUAL(count_in("snap/cells.pvd", "<DataSet"), 4);
-    CU_ASSERT_EQUAL(count_in("snap/particles_000020.vtp", "Name=\"u\""), 1);
+    CU_ASSERT_EQUAL(count_in("snap/particles_000020.vtp", "Name=\"displacement\""), 1);
     CU_ASSERT_EQUAL(count_in("snap/particles_000020.vtp", "</VTKFile>"), 1);
     CU_ASSERT_EQUAL(count_in("snap/particles_000020.vtp", "Name=\"von_mises\""), 1);
     CU_ASSERT_EQUAL(count_in("snap/cells_000007.vtp", "Name=\"cut\""), 1);

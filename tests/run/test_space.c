@@ -102,6 +102,27 @@ static void test_momentum(void)
     }
 }
 
+/* Neither threads nor empty space around the body change a bit of a row. */
+static void test_same(void)
+{
+    static const char *const each[] = {"mpm", "gimp", "apic", "fem"};
+    for (size_t k = 0; k < sizeof each / sizeof *each; k++) {
+        static const char one[] = "run shell --cells 10 --set steps=15 --method %s";
+        static const char two[] = "run shell --cells 10 --set steps=15 --threads 3 --method %s";
+        const Row a = run_whole(one, each[k]), b = run_whole(two, each[k]);
+        CU_ASSERT(a.error_linf == b.error_linf && a.error_l2 == b.error_l2);
+        CU_ASSERT(a.energy_drift == b.energy_drift && a.momentum_drift == b.momentum_drift);
+    }
+    const Row near = run_whole("run block --set dim=3 --cells 8 --set drift_z=.1 --set stretch=.99 "
+                               "--set box=2 --set steps=10 --method %s",
+                               "gimp");
+    const Row far = run_whole("run block --set dim=3 --cells 8 --set drift_z=.1 --set stretch=.99 "
+                              "--set box=6 --set steps=10 --method %s",
+                              "gimp");
+    CHECK_CLOSE(near.energy_drift, far.energy_drift, 1e-12);
+    CHECK_CLOSE(near.nodes, far.nodes, 0);
+}
+
 static int dim_of(const char *text)
 {
     RunSpec spec;
@@ -136,6 +157,7 @@ const TestCase space_tests[] = {
     {"errors of the shell as measured elsewhere", test_shell},
     {"second order of GE-GIMP on standing waves", test_order},
     {"momentum of a free block", test_momentum},
+    {"threads and empty space change nothing", test_same},
     {"default dimension of a scene", test_dimension},
     {NULL, NULL},
 };

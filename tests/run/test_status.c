@@ -258,7 +258,7 @@ static void test_empty(void)
 /* Too large for any machine: refused before it is taken, as the machine's fault. */
 static void test_too_large(void)
 {
-    const Case c = {DIM, "free_block", DIM == 1 ? 9e7 : 1e6, 4, 0, "box=1000"};
+    const Case c = {DIM, "free_block", DIM == 1 ? 9e7 : 1e6, DIM < 3 ? 4 : 8, 0, "box=1000"};
     Rig r;
     CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", CD, NULL));
     CU_ASSERT_PTR_NULL(sim_new(&r.plan.setup, &r.fault));

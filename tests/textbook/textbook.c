@@ -1,4 +1,4 @@
-/* textbook.c: see textbook.h. Equations: W07 2.1, 4.2; W11 26-30, A2; PHYSICS 1, 2. */
+/* textbook.c: see textbook.h. Equations: W07 2.1, 4.2; W11 26-30, A2. */
 #include <math.h>
 #include <string.h>
 #include "textbook_sight.h"

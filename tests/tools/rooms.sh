@@ -47,7 +47,7 @@ tsort <<<"$edges" >/dev/null 2>&1 || complain "a circle of includes: $(tsort <<<
           exit wrong }' || wrong=1
 
 # Public names: STEM_..., with or without its plural s, of the file or of a header in its room or the room above;
-# registered data are KIND_NAME.
+# registered data are KIND_NAME, their lists KINDs.
 check_names() { # OBJECTS
     local object source room stems
     while read -r object; do
@@ -57,7 +57,7 @@ check_names() { # OBJECTS
         stems=$({ echo "$source"; ls "$room"/*.h "$(dirname "$room")"/*.h 2>/dev/null; } |
             sed 's/.*\///; s/\.[ch]$//; p; s/s$//' | sort -u | tr '\n' ' ')
         nm --defined-only --extern-only "$object" | awk -v stems="$stems" -v source="$source" '
-            { n = split(stems, stem, " "); ok = $3 ~ /^(method|problem|solver|study)_|_command$|^engine_[123]d$|^main$/
+            { n = split(stems, stem, " "); ok = $3 ~ /^(method|problem|solver|study)_|_command$|^engine_[123]d$|^main$|^(methods|problems|solvers)$/
               for (k = 1; k <= n; k++) ok = ok || $3 == stem[k] || index($3, stem[k] "_") == 1
               if (!ok) { print "rooms: " source ": public name " $3 " begins with none of: " stems; wrong = 1 } }
             END { exit wrong }' || wrong=1

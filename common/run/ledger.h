@@ -1,0 +1,29 @@
+/* ledger.h: energy, momentum, work and volume of all points at one instant, the same for every
+ * solver. */
+#ifndef MPMLAB_LEDGER_H
+#define MPMLAB_LEDGER_H
+
+#include "norm.h"
+
+/* Volume now, sum V0 J [m^DIM], and the extremes of J. */
+typedef struct Volumes {
+    double sum, least, most;
+} Volumes;
+
+Volumes ledger_volumes(const Samples *q);
+double ledger_kinetic(const Points *p);                                 /* [J] */
+double ledger_strain(const Scene *scene, const Samples *q, Scratch *s); /* [J] */
+
+/* [kg m^2/s] Angular momentum about the centre of mass: in 2D only the component along z, in 1D
+ * none; the others are NAN. */
+void ledger_angular_momentum(const Points *p, double out[3]);
+double ledger_momentum(const Points *p, Vec out); /* [kg m/s]; returns sum of m |v| */
+
+/* [J] Work of the body forces of time t on the way of each point from from[DIM][id]: sum of
+ * m b(X, t) . (x - from). Velocities do not enter: FLIP particles do not move with their own. */
+double ledger_work(const Scene *scene, const Points *p, ConstFields from, double t, Scratch *s);
+
+/* Id of the fastest point with mass (the lowest of equals; -1: none), and its speed [m/s]. */
+int ledger_fastest_point(const Points *p, double *speed);
+
+#endif

@@ -1,0 +1,132 @@
+/* t_07_shell.c: convergence in three dimensions: the oscillating shell (one octant) beside the ring
+ * in the plane, every method that runs in 3D with particles on the lattice, and FEM. N cells over
+ * the outer radius; largest error over all particles and steps of one period [m].
+ *
+ * FEM's step is that of its least altitude in 3D, so that CFL .6 there is about the .3 of the
+ * others; its body force is taken at the nodes, or integrated over the elements. */
+#include <math.h>
+#include <string.h>
+#include "studies/tables/curves.h"
+
+static const int cells[] = {8, 12, 16, 24, 32};
+enum { MESHES = sizeof cells / sizeof *cells };
+
+/* The finest mesh of 3D takes as long as all others: it is for those whose orders are judged. */
+static int meshes_of(const char *method)
+{
+    static const char *const finest[] = {"gimp", "ge_gimp", "bspline", "fem"};
+    for (int k = 0; k < 4; k++)
+        if (strcmp(method, finest[k]) == 0) return MESHES;
+    return MESHES - 1;
+}
+
+/* WLS does not run in 3D yet. */
+static bool runs_in_space(const char *method)
+{
+    RunSpec spec = {.problem = "shell"};
+    strcpy(spec.method, method);
+    return engine_3d.resolve(&spec, NULL) == 0;
+}
+
+static void cases(Cases *list, bool quick)
+{
+    for (const Info *const *m = engine_3d.methods; *m; m++) {
+        const char *method = (*m)->name;
+        const bool mesh = strcmp(method, "fem") == 0;
+        const int meshes = quick ? 2 : meshes_of(method);
+        if (!runs_in_space(method)) continue;
+        for (int k = 0; k < (quick ? 2 : MESHES); k++)
+            case_add(list, "run ring --method %s --cells %d", method, cells[k]);
+        for (int k = 0; k < meshes; k++)
+            case_add(list, "run shell --method %s --cells %d%s", method, cells[k],
+                     mesh ? " --cfl .6" : "");
+        for (int k = 0; mesh && k < meshes; k++)
+            case_add(list, "run shell --method fem --cells %d --cfl .6 --set body=elements",
+                     cells[k]);
+    }
+}
+
+/* Errors on the shell; body: of FEM, else "". */
+static void shell_errors(Curve *c, const Table *t, const char *method, const char *body)
+{
+    if (*body)
+        curve_pick(c, t, "cells", "error_linf", "problem=shell method=%s body=%s", method, body);
+    else
+        curve_pick(c, t, "cells", "error_linf", "problem=shell method=%s", method);
+}
+
+static Measure error_at(const Table *t, const char *method, const char *body, double n)
+{
+    Curve c;
+    shell_errors(&c, t, method, body);
+    return curve_at(&c, n);
+}
+
+static Measure order(const Table *t, const char *method, const char *body, double to, int meshes)
+{
+    Curve c;
+    shell_errors(&c, t, method, body);
+    return measure_times(curve_order(&c, 8, to, meshes), -1);
+}
+
+static Measure ring_order(const Table *t, const char *method)
+{
+    Curve c;
+    curve_pick(&c, t, "cells", "error_linf", "problem=ring method=%s", method);
+    return measure_times(curve_order(&c, 8, 32, MESHES), -1);
+}
+
+/* Errors that an independent code measured: error at N = 8, 16, 32, within 10 %, FEM 5 %. */
+static void check_known(Check *c, const Table *t)
+{
+    static const struct {
+        const char *method, *body, *label;
+        double error[3], within;
+    } known[] = {
+        {"gimp", "", "GIMP", {0.00898, 0.00515, 0.00313}, 0.1},
+        {"ge_gimp", "", "GE-GIMP", {0.00811, 0.00568, 0.00302}, 0.1},
+        {"fem", "nodes", "FEM, body force at nodes", {0.00664, 0.00166, 0.00043}, 0.05},
+        {"fem", "elements", "FEM, body force integrated", {0.00466, 0.00133, 0.00038}, 0.05}};
+    for (int m = 0; m < 4; m++)
+        for (int k = 0; k < 3; k++) {
+            char id[64], statement[128];
+            const double e = known[m].error[k], by = known[m].within;
+            snprintf(id, sizeof id, "T-7.%s%s%s-%d", known[m].method, *known[m].body ? "-" : "",
+                     known[m].body, 8 << k);
+            snprintf(statement, sizeof statement, "%s: largest error on the shell at N = %d",
+                     known[m].label, 8 << k);
+            claim(c, id, statement, error_at(t, known[m].method, known[m].body, 8 << k),
+                  (1 - by) * e, (1 + by) * e);
+        }
+}
+
+static void check(Check *c, const Results *r)
+{
+    const Table *t = r->rows;
+    check_known(c, t);
+    claim(c, "T-7.fem-order", "FEM is of second order on the shell",
+          order(t, "fem", "nodes", 32, MESHES), 1.9, 2.1);
+    claim(c, "T-7.gimp-order", "GIMP on lattice particles stays below first order on the shell",
+          order(t, "gimp", "", 32, MESHES), 0.5, 1);
+    claim(c, "T-7.mpm-order", "MPM does not converge on the shell",
+          order(t, "mpm", "", 24, MESHES - 1), -1, 0.5);
+    for (const Info *const *m = engine_3d.methods; *m; m++) {
+        char name[64];
+        const char *method = (*m)->name, *body = strcmp(method, "fem") == 0 ? "nodes" : "";
+        const int meshes = meshes_of(method);
+        if (!runs_in_space(method)) continue;
+        snprintf(name, sizeof name, "ring_%s", method);
+        claim_note(c, name, ring_order(t, method).value);
+        snprintf(name, sizeof name, "shell_%s", method);
+        claim_note(c, name, order(t, method, body, cells[meshes - 1], meshes).value);
+    }
+}
+
+const Study study_t_07_shell = {
+    .name = "t_07_shell",
+    .figure = "T-7",
+    .about = "shell in 3D beside the ring: convergence of every method that runs there, and FEM",
+    .cases = cases,
+    .check = check,
+    .claims = 15,
+};
