@@ -93,7 +93,7 @@ static void write_places(FILE *f, const Results *r)
             double most = 0;
             for (int row = 0; t && row < t->nrow; row++)
                 most = measure_worse(most, select_number(t, row, "kinetic"));
-            if (t)
+            if (t && t->nrow > 0)
                 fprintf(f, "%d,%.2f,%.10g,%s\n", dim, k / (double)PLACES,
                         sqrt(most / select_number(t, 0, "kinetic")), results_status(r, part));
             table_free(t);
