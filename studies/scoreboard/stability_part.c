@@ -89,8 +89,8 @@ static double ring_limit(const Table *t, const char *method)
     const char *layout = strstr(method, "wls") ? "radial" : "cartesian";
     double lost = INFINITY, most = NAN;
     for (int pass = 0; t && pass < 2; pass++)
-        for (int row = -1; (row = select_next(t, row, "method=%s layout=%s cells=32", method,
-                                              layout)) >= 0;) {
+        for (int row = -1;
+             (row = select_next(t, row, "method=%s layout=%s cells=32", method, layout)) >= 0;) {
             const double cfl = select_number(t, row, "cfl");
             if (pass == 0 && select_is_lost(t, row)) lost = fmin(lost, cfl);
             if (pass == 1 && cfl < lost) most = fmax(isnan(most) ? 0 : most, cfl);
@@ -175,7 +175,8 @@ static void worse(FILE *f, const Table *t, const char *method, const char *remed
         const Mark before = mark_read(select_text(t, row, "before"));
         const Mark after = mark_read(select_text(t, row, "after"));
         if (after < before) continue;
-        page_element(f, "; ", select_text(t, row, "case"), after > before ? " worse" : " no better");
+        page_element(f, "; ", select_text(t, row, "case"),
+                     after > before ? " worse" : " no better");
         const char *note = select_text(t, row, "note");
         if (*note) page_element(f, " (", note, ")");
     }
@@ -240,14 +241,15 @@ void page_stability(const Page *page)
             "(W11-6, N = 32), and the least stable step if a free edge lies barely inside a cell "
             "(H-5). What helps is what gave a better mark in a run, with what it makes worse."
             "</p>\n<details><summary>Hard cases: &#10003;, ~ or &times;, and where the lines are "
-            "drawn</summary><ul><li>H1 force inside a uniformly stressed body / (sigma A): 1e-10, "
-            ".1</li><li>H2 invisible mode left after 1500 steps: .1, 1.1</li><li>H3 stress at "
+            "drawn</summary><ul><li>H-1 force inside a uniformly stressed body / (sigma A): 1e-10, "
+            ".1</li><li>H-2 invisible mode left after 1500 steps: .1, 1.1</li><li>H-3 stress at "
             "stretch 4: right, or right but not carried</li><li>H-4 cantilever at nu = .499: bends "
             "within .1, .5 of the reference</li><li>H-5 stable step with an edge barely in a cell: "
-            ".3, .1 h/c</li><li>H6, H10 error of a linear field: 1e-12, 1</li><li>H7 particles per "
-            "axis for an error below .1: .5, 1.5</li><li>H8a area after ten imposed turns: within "
-            ".01; any</li><li>H8b angular momentum a turn: .002, 1</li><li>H13 energy over long "
-            "runs: 5 %; reaches the end</li><li>H14 free fall: 1e-12, 1e-3 m</li><li>H-15 vortex, "
+            ".3, .1 h/c</li><li>H-6, H-10 error of a linear field: 1e-12, 1</li><li>H-7 particles "
+            "per "
+            "axis for an error below .1: .5, 1.5</li><li>H-8a area after ten imposed turns: within "
+            ".01; any</li><li>H-8b angular momentum a turn: .002, 1</li><li>H-13 energy over long "
+            "runs: 5 %; reaches the end</li><li>H-14 free fall: 1e-12, 1e-3 m</li><li>H-15 vortex, "
             "G = .5: error .03 m; reaches the end</li></ul></details>\n<table class=\"stack sort\" "
             "id=\"hard\"><thead><tr><th>method</th><th>stable on one wave</th><th>breaks "
             "first</th><th>hard cases</th><th>what helps</th></tr></thead><tbody>\n",
