@@ -211,12 +211,12 @@ static Measure smallest(const Table *t, const char *what, int dim, const char *m
     return out;
 }
 
-static void check(Check *check, const Results *r)
+static const char forgets[] =
+    "2/omega is what a grid that keeps its velocities allows; a node that is projected anew each "
+    "step forgets its own, and its limit is 1/sqrt(2) of that";
+
+static void check_tents(Check *check, const Table *points, const Table *omega)
 {
-    static const char forgets[] =
-        "2/omega is what a grid that keeps its velocities allows; a node that is projected anew "
-        "each step forgets its own, and its limit is 1/sqrt(2) of that";
-    const Table *points = results_part(r, "points"), *omega = results_part(r, "omega");
     claim(check, "H-5.tent-omega",
           "Tents: 2/omega_max of M^-1 K is 2 sqrt(eps/h) h/c if the last particle lies eps inside "
           "a cell: largest relative deviation",
@@ -236,6 +236,10 @@ static void check(Check *check, const Results *r)
           "GE-MPM, whose particles return the node's velocity to it: the critical step is 2 "
           "sqrt(eps/h) h/c: largest relative deviation",
           off_root(points, "critical", 1, "ge_mpm", 2), 0, 0.1);
+}
+
+static void check_floors(Check *check, const Table *points, const Table *omega)
+{
     claim(check, "H-5.gimp-omega",
           "GIMP: 2/omega_max of M^-1 K does not fall below a floor however small the node's mass "
           "[h/c]",
@@ -257,6 +261,13 @@ static void check(Check *check, const Results *r)
           "GE-WLS, 2D, P waves: least critical step wherever its surface lies [h/c] (own "
           "measurement)",
           smallest(points, "critical", 2, "ge_wls"), 0.55, 1);
+}
+
+static void check(Check *check, const Results *r)
+{
+    const Table *points = results_part(r, "points"), *omega = results_part(r, "omega");
+    check_tents(check, points, omega);
+    check_floors(check, points, omega);
 }
 
 const Study study_h_05_small_mass = {

@@ -69,8 +69,7 @@ static void check_momentum(Rig *r)
     for (int d = 0; d < DIM; d++) CHECK_CLOSE(after[d], before[d], share * size);
     CU_ASSERT(rig_distance(start, end, n, false) > 1e-3); /* it did move */
     for (int k = 0; k < n; k++) CU_ASSERT(start[AT_M * n + k] == end[AT_M * n + k]);
-    free(start), free(end);
-    sim_free(sim);
+    free(start), free(end), sim_free(sim);
 }
 
 static void test_momentum(void)
@@ -231,8 +230,7 @@ static void check_empty_space(Rig *r)
     for (int k = 0; k < DIM * n; k++) b[AT_X * n + k] -= moved;
     CU_ASSERT(rig_distance(a, b, n, false) < 1e-12); /* positions round off differently */
     CU_ASSERT(small->nodes == large->nodes);
-    free(a), free(b);
-    sim_free(small), sim_free(large);
+    free(a), free(b), sim_free(small), sim_free(large);
 }
 
 static void test_empty_space(void)
@@ -266,8 +264,7 @@ static void check_poison(Rig *r)
     }
     double *a = rig_state(clean), *b = rig_state(dirty);
     CU_ASSERT(memcmp(a, b, sizeof(double) * FIELDS * (size_t)clean->p.count) == 0);
-    free(a), free(b);
-    sim_free(clean), sim_free(dirty);
+    free(a), free(b), sim_free(clean), sim_free(dirty);
 }
 
 static void test_poison(void)
