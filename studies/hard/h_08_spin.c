@@ -133,32 +133,20 @@ static bool is_kept(const Table *t, const char *method, const char *where)
     return select_value(t, "turns", "method=%s status=ok %s", method, where).rows > 0;
 }
 
-/* Weak: J off by the rule's own growth or angular momentum by a hundredth a turn. */
-static Mark mark_free(const Table *t, const char *method, const char *variant)
+static Mark mark_in(const Table *t, const char *method, bool spin, const char *variant)
 {
     char where[64];
-    snprintf(where, sizeof where, "scene=free variant=%s", variant);
+    snprintf(where, sizeof where, "scene=%s variant=%s", spin ? "spin" : "free", variant);
     if (!is_kept(t, method, where)) return MARK_LOST;
-    return grade_mark_of(fabs(select_value(t, "loss", "method=%s %s", method, where).value), 0.002,
-                         1);
+    const double x = select_value(t, spin ? "J" : "loss", "method=%s %s", method, where).value;
+    return spin ? grade_mark_of(fabs(x - 1), 0.01, INFINITY) : grade_mark_of(fabs(x), 0.002, 1);
 }
 
-static Mark mark_spin(const Table *t, const char *method, const char *variant)
-{
-    char where[64];
-    snprintf(where, sizeof where, "scene=spin variant=%s", variant);
-    if (!is_kept(t, method, where)) return MARK_LOST;
-    return grade_mark_of(fabs(select_value(t, "J", "method=%s %s", method, where).value - 1), 0.01,
-                         INFINITY);
-}
-
-/* Angular momentum lost a turn as usual and with this variant. */
 static const char *loss_note(const Table *t, const char *method, const char *variant, char note[64])
 {
-    static const char *const where = "method=%s scene=free variant=%s";
-    const double usual = fabs(select_value(t, "loss", where, method, "usual").value);
-    const double loss = fabs(select_value(t, "loss", where, method, variant).value);
-    snprintf(note, 64, isnan(loss) ? "lost" : "%.2g -> %.2g of it lost a turn", usual, loss);
+    const double loss =
+        select_value(t, "loss", "method=%s scene=free variant=%s", method, variant).value;
+    snprintf(note, 64, isnan(loss) ? "lost" : "%.2g of it lost a turn", fabs(loss));
     return note;
 }
 
@@ -168,7 +156,8 @@ static void write_marks(FILE *f, FILE *g, const Table *t)
         const char *method = (*m)->name;
         const double turned =
             select_ended(t, "turns", "method=%s scene=free variant=usual", method).value;
-        const Mark spin = mark_spin(t, method, "usual"), motion = mark_free(t, method, "usual");
+        const Mark spin = mark_in(t, method, true, "usual"),
+                   motion = mark_in(t, method, false, "usual");
         if (isnan(turned)) continue;
         grade_add(f, "H-8a", method, spin, "area %.3g times the right one after %d imposed turns",
                   select_ended(t, "J", "method=%s scene=spin variant=usual", method).value, TURNS);
@@ -184,10 +173,10 @@ static void write_marks(FILE *f, FILE *g, const Table *t)
             const char *where = "method=%s scene=%s variant=%s";
             if (select_ended(t, "turns", where, method, "spin", variants[v].name).rows)
                 grade_remedy_add(g, "H-8a", method, option, spin,
-                                 mark_spin(t, method, variants[v].name), "");
+                                 mark_in(t, method, true, variants[v].name), "");
             if (select_ended(t, "turns", where, method, "free", variants[v].name).rows)
                 grade_remedy_add(g, "H-8b", method, option, motion,
-                                 mark_free(t, method, variants[v].name),
+                                 mark_in(t, method, false, variants[v].name),
                                  loss_note(t, method, variants[v].name, note));
         }
     }
