@@ -196,7 +196,8 @@ static void check_methods(Check *c, const Table *t)
                   "WLS, WLS2 filter velocities on the way to the grid only, so that the invisible "
                   "mode neither decays nor grows: most amplitude at the end",
                   last_left(t, "wls wls2", 0), 0.9, 1.1, 1.1, 1e6,
-                  "it grows by itself where the block is off the grid's lines; less so, or not at "
+                  "it grows, 276-fold at most, by itself where the block is off the grid's lines; "
+                  "less so, or not at "
                   "all, if returned through splines, as it was fitted");
     claim(c, "H-2.wls-spline",
           "WLS with return=spline keeps the invisible velocity mode without growth: most amplitude "
