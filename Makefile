@@ -112,7 +112,7 @@ CORE        = fixture $(TEXTBOOK) $(patsubst %,core/test_%,textbook material exa
 CORE_1      = core/main_dim $(CORE) $(patsubst %,methods/test_wls_%,hand symbols cut) problems/test_column \
               $(patsubst %,core/test_%,moment_pass invariants hard on_nodes rules published_errors)
 CORE_2      = $(CORE_1)
-CORE_3      = core/main_3d $(CORE) problems/test_shell fem_ref/test_tetrahedra
+CORE_3      = core/main_3d $(CORE) methods/test_wls_cut problems/test_shell fem_ref/test_tetrahedra
 TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_filter textbook_make)
 FEM_TESTS   = $(patsubst %,fem_ref/%,test_fem test_fem_scenes test_mesh) problems/test_ring
 WLS_TESTS   = $(patsubst %,methods/%,test_wls test_wls_runs test_wls_hard test_ge_wls) \
@@ -125,7 +125,7 @@ $(BUILD)/tests/%.o: tests/%.c Makefile
 
 $(BUILD)/tests/fuzz/test_fuzz_corpus.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/fuzz/found"'
 $(BUILD)/d2/tests/core/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/peers"'
-$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,base/test_tools base/test_files studies/test_study studies/test_select studies/test_trial studies/trial studies/test_effort studies/test_statements run/test_space fuzz/test_fuzz_corpus check) \
+$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,base/test_tools base/test_files base/test_polyhedron studies/test_study studies/test_select studies/test_trial studies/trial studies/test_effort studies/test_statements run/test_space fuzz/test_fuzz_corpus check) \
   $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 

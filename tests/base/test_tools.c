@@ -215,7 +215,7 @@ static const TestCase tools_tests[] = {
     {NULL, NULL},
 };
 
-extern const TestCase statement_tests[];
+extern const TestCase statement_tests[], polyhedron_tests[];
 extern const TestCase files_tests[], study_tests[], trial_tests[], effort_tests[], select_tests[],
     found_tests[], space_tests[];
 
@@ -223,6 +223,7 @@ int main(void)
 {
     const TestSuite suites[] = {{"tools", tools_tests},
                                 {"files", files_tests},
+                                {"polyhedra", polyhedron_tests},
                                 {"study", study_tests},
                                 {"select", select_tests},
                                 {"effort", effort_tests},

@@ -13,6 +13,7 @@ extern const TestCase remedies_tests[];
 extern const TestCase measures_tests[];
 extern const TestCase mass_tests[];
 extern const TestCase ledger_tests[];
+extern const TestCase wls_cut_tests[];
 extern const TestCase shell_tests[];
 extern const TestCase tetrahedra_tests[];
 
@@ -31,6 +32,7 @@ int main(void)
         {"measures", measures_tests},
         {"mass", mass_tests},
         {"ledger", ledger_tests},
+        {"WLS: cut surfaces", wls_cut_tests},
         {"shell", shell_tests},
         {"tetrahedra", tetrahedra_tests},
         {NULL, NULL},
