@@ -50,7 +50,9 @@ static const Case walled[] = {
     {1, "bar", 20, 2, 0, NULL},         {1, "sine_bar", 16, 2, 0, NULL},
     {1, "free_block", 32, 2, 0, NULL},  {2, "axis_mms", 8, 4, 0, NULL},
     {2, "disk_impact", 12, 4, 0, NULL}, {2, "disk_impact", 12, 4, 0, "wall=unilateral"},
-    {2, "hanging_bar", 8, 4, 0, NULL},  {2, "free_block", 12, 4, 0, NULL}};
+    {2, "hanging_bar", 8, 4, 0, NULL},  {2, "free_block", 12, 4, 0, NULL},
+    {3, "ball_impact", 8, 8, 0, NULL},  {3, "axis_mms", 5, 8, 0, "dim=3"},
+    {3, "free_block", 6, 8, 0, "dim=3"}};
 static const char *const kinds[][2] = {{"wls", "trigger=0;allow_unstable=1"},
                                        {"wls2", "trigger=0;allow_unstable=1"},
                                        {"ge_wls", "trigger=0;allow_unstable=1;mass=lumped"},
@@ -151,6 +153,8 @@ static const struct {
     {{2, "ring", 8, 4, 0, NULL}, 3.5e-3, 1.7e-3, 7.9e-4},
     {{2, "disk_impact", 12, 4, 0, NULL}, 2e-2, 2.8e-2, 3e-2},
     {{2, "free_block", 12, 4, 0, NULL}, 1e-3, 1.45e-3, 9.6e-4},
+    {{3, "shell", 8, 8, 0, NULL}, 7.3e-3, 6e-3, 4.6e-3},
+    {{3, "axis_mms", 6, 8, 0, "dim=3"}, 8.7e-3, 2.2e-2, 2.2e-2},
 };
 
 static void test_wls_momentum(void)
