@@ -106,18 +106,10 @@ WRONG_TEST  = bash tests/cli/wrong_inputs.sh $(BUILD)/mpmlab $(BUILD)/tests
 FAULT_TEST  = bash tests/cli/faults.sh $(BUILD)/mpmlab $(BUILD)/tests
 FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/fuzz/%.o,fuzz_run fuzz_sweep fuzz_files fuzz_tools)
 CORE_DIMS   = 1 2 3
-CORE        = fixture $(TEXTBOOK) $(patsubst %,core/test_%,textbook material exact domains_and_strain) \
-              methods/test_shapes methods/test_methods problems/test_mass run/test_status run/test_measures run/test_ledger \
-              $(patsubst %,core/test_%,sort_and_walls dynamics)
-CORE_1      = core/main_dim $(CORE) $(patsubst %,methods/test_wls_%,hand symbols cut) problems/test_column \
-              $(patsubst %,core/test_%,moment_pass invariants hard on_nodes rules published_errors)
-CORE_2      = $(CORE_1)
-CORE_3      = core/main_3d $(CORE) problems/test_shell fem_ref/test_tetrahedra
 TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_filter textbook_make)
-FEM_TESTS   = $(patsubst %,fem_ref/%,test_fem test_fem_scenes test_mesh) problems/test_ring
-WLS_TESTS   = $(patsubst %,methods/%,test_wls test_wls_runs test_wls_hard test_ge_wls) \
-              problems/test_axis_mms problems/test_vortex
-SCENE_TESTS = problems/test_disk_plate run/test_snapshot core/test_peers core/test_loads
+# $(call tests_of,PROGRAM): its files in tests/tests.def. Every test file must have a line there.
+tests_of = $(or $(shell sed -nE 's/^([a-z_0-9\/]+):(.*) $(1)( .*)?$$/\1/p' tests/tests.def),$(error tests/tests.def: no test of $(1)))
+UNLISTED = $(filter-out $(shell sed -nE 's/^([a-z_0-9\/]+):.*/tests\/\1.c/p' tests/tests.def),$(wildcard tests/*/test_*.c))
 TEST_OBJECTS = $(filter-out $(BUILD)/studies/cli/main.o, $(FREE_OBJECTS)) $(DIMS:%=$(BUILD)/d%/engine.o)
 
 $(BUILD)/tests/%.o: tests/%.c Makefile
@@ -125,24 +117,18 @@ $(BUILD)/tests/%.o: tests/%.c Makefile
 
 $(BUILD)/tests/fuzz/test_fuzz_corpus.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/fuzz/found"'
 $(BUILD)/d2/tests/core/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/peers"'
-$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,base/test_tools base/test_files studies/test_study studies/test_select studies/test_trial studies/trial studies/test_effort studies/test_statements run/test_space fuzz/test_fuzz_corpus check) \
+$(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,$(call tests_of,tools) studies/trial check) \
   $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
 
 # Tests of one dimension see its objects before their names are hidden.
 define dimension_tests
-$(BUILD)/tests/core_$(1)d: $(CORE_$(1):%=$(BUILD)/d$(1)/tests/%.o) $(BUILD)/tests/check.o \
-  $(BASE_OBJECTS) $(call objects,$(1))
-	$$(call SHOW,LD)$(CC) $(CFLAGS) -o $$@ $$^ $(LDLIBS) -lcunit
+$(BUILD)/tests/$(1): $(patsubst %,$(BUILD)/d$(2)/tests/%.o,$(call tests_of,$(1)) fixture $(TEXTBOOK)) \
+  $(BUILD)/tests/check.o $(BASE_OBJECTS) $(call objects,$(2))
+	$(if $(UNLISTED),$$(error not in tests/tests.def: $(UNLISTED)))$$(call SHOW,LD)$(CC) $(CFLAGS) -o $$@ $$^ $(LDLIBS) -lcunit
 endef
-$(foreach d,$(CORE_DIMS),$(eval $(call dimension_tests,$(d))))
-
-$(BUILD)/tests/fem: $(FEM_TESTS:%=$(BUILD)/d2/tests/%.o)
-$(BUILD)/tests/wls: $(WLS_TESTS:%=$(BUILD)/d2/tests/%.o)
-$(BUILD)/tests/scenes: $(SCENE_TESTS:%=$(BUILD)/d2/tests/%.o)
-$(BUILD)/tests/fem $(BUILD)/tests/wls $(BUILD)/tests/scenes: $(BUILD)/tests/check.o \
-  $(BASE_OBJECTS) $(call objects,2)
-	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
+$(foreach d,$(CORE_DIMS),$(eval $(call dimension_tests,core_$(d)d,$(d))))
+$(foreach p,fem wls scenes,$(eval $(call dimension_tests,$(p),2)))
 
 RUN_UNITS = for t in $(UNIT_TESTS); do \
   (cd $(BUILD)/tests && OMP_WAIT_POLICY=passive $(CURDIR)/$$t) || exit 1; done

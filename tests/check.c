@@ -1,4 +1,4 @@
-/* check.c: the one place that talks to CUnit. */
+/* check.c: the main of every test program, and the one place that talks to CUnit. */
 #include "check.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,16 +30,37 @@ CU_BOOL check_assert(CU_BOOL holds, unsigned line, const char *condition, const 
     return (CU_assertImplementation)(holds, line, text, file, function, fatal);
 }
 
+/* ---- suites */
+
+enum { MOST_SUITES = 64 };
+
+static struct Suite {
+    char name[64];
+    const TestCase *tests;
+} suites[MOST_SUITES];
+static int suite_count;
+
+/* NAME of .../test_NAME.c */
+void check_add(const char *file, const TestCase *tests)
+{
+    const char *slash = strrchr(file, '/'), *name = slash ? slash + 1 : file;
+    if (strncmp(name, "test_", 5) == 0) name += 5;
+    if (suite_count == MOST_SUITES) abort();
+    struct Suite *s = &suites[suite_count++];
+    snprintf(s->name, sizeof s->name, "%.*s", (int)strcspn(name, "."), name);
+    s->tests = tests;
+}
+
 /* Is the test to be run: is the value of ONLY a part of "suite: test"? */
-static int is_chosen(const TestSuite *suite, const TestCase *test)
+static int is_chosen(const struct Suite *suite, const TestCase *test)
 {
     const char *only = getenv("ONLY");
     char name[256];
-    snprintf(name, sizeof name, "%s: %s", suite->name, test->name);
+    snprintf(name, sizeof name, "%.63s: %s", suite->name, test->name);
     return !only || strstr(name, only);
 }
 
-static int add_suite(const TestSuite *suite)
+static int enter(const struct Suite *suite)
 {
     CU_pSuite s = NULL;
     for (const TestCase *t = suite->tests; t->name; t++) {
@@ -52,12 +73,12 @@ static int add_suite(const TestSuite *suite)
     return 1;
 }
 
-int check_run(const TestSuite *suites)
+int main(void)
 {
     int ready = CU_initialize_registry() == CUE_SUCCESS;
-    for (; ready && suites->name; suites++) ready = add_suite(suites);
+    for (int k = 0; ready && k < suite_count; k++) ready = enter(&suites[k]);
     if (ready) CU_basic_run_tests();
-    int failed = !ready || CU_get_number_of_failures() > 0;
+    const int failed = !ready || CU_get_number_of_failures() > 0;
     const int nothing = ready && CU_get_number_of_tests_run() == 0;
     CU_cleanup_registry();
     return nothing ? 2 : failed;

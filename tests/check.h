@@ -1,7 +1,8 @@
-/* check.h: tests as tables of functions; one main an executable, which ends with CUnit's summary:
+/* check.h: tests as tables of functions, a suite per file. test_NAME.c ends with
  *   static void test_x(void) { CU_ASSERT(...); }
- *   static const TestCase some_tests[] = {{"what holds", test_x}, {NULL, NULL}};
- *   int main(void) { ... suites[] = {{"some", some_tests}, {NULL, NULL}}; return check_run(suites);
+ *   static const TestCase tests[] = {{"what holds", test_x}, {NULL, NULL}};
+ *   CHECK_SUITE(tests)
+ * and stands in tests.def with the programs that it is linked into; each ends with CUnit's summary.
  */
 #ifndef MPMLAB_CHECK_H
 #define MPMLAB_CHECK_H
@@ -14,14 +15,15 @@ typedef struct TestCase {
     void (*run)(void);
 } TestCase;
 
-typedef struct TestSuite {
-    const char *name;
-    const TestCase *tests;
-} TestSuite;
-
-/* Runs the suites (ended by a NULL name), or of their tests only those whose "suite: test" contains
- * the environment's ONLY. The exit status: 0, 1 if anything failed, 2 if no test was run. */
-int check_run(const TestSuite *suites);
+/* Adds the tests of this file to the program, as suite NAME. Only those are run whose "NAME: test"
+ * contains the environment's ONLY. The exit status of the program: 0, 1 if anything failed, 2 if no
+ * test was run. */
+#define CHECK_SUITE(tests)                                                                         \
+    static void __attribute__((constructor)) check_this_file(void)                                 \
+    {                                                                                              \
+        check_add(__FILE__, tests);                                                                \
+    }
+void check_add(const char *file, const TestCase *tests);
 
 /* What the assertions that follow are about; a failure names it. Until the next call or test. NULL:
  * unknown, or its default. Fixtures call it for every run they set up. */

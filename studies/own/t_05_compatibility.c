@@ -161,8 +161,7 @@ static void check(Check *c, const Results *r)
           measure_sum(losses(r->rows, 2, "ge_gimp", MUSL, USF, 0.5),
                       losses(r->rows, 2, "ge_mpm", MUSL, USF, 0.5)),
           6, 6);
-    claim(c, "T-5.plane-ge-gimp",
-          "GE-GIMP in 2D with cd and usl: largest relative change of energy",
+    claim(c, "T-5.plane-ge-gimp", "GE-GIMP in 2D, cd and usl: largest relative change of energy",
           largest_drift(r->rows, 2, "ge_gimp", CD, USL), 0, 0.05);
     claim(c, "T-5.plane-refresh",
           "GE-GIMP in 2D with musl and uvf and a fresh gradient: largest relative change of energy",

@@ -6,6 +6,7 @@
  * others; its body force is taken at the nodes, or integrated over the elements. */
 #include <math.h>
 #include <string.h>
+#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
 
 static const int cells[] = {8, 12, 16, 24, 32};
@@ -32,7 +33,7 @@ static void cases(Cases *list, bool quick)
 {
     for (const Info *const *m = engine_3d.methods; *m; m++) {
         const char *method = (*m)->name;
-        const bool mesh = strcmp(method, "fem") == 0;
+        const bool mesh = !engine_has_grid(&engine_3d, method);
         const int meshes = quick ? 2 : meshes_of(method);
         if (!runs_in_space(method)) continue;
         for (int k = 0; k < (quick ? 2 : MESHES); k++)
@@ -112,7 +113,8 @@ static void check(Check *c, const Results *r)
           order(t, "mpm", "", 24, MESHES - 1), -1, 0.5);
     for (const Info *const *m = engine_3d.methods; *m; m++) {
         char name[64];
-        const char *method = (*m)->name, *body = strcmp(method, "fem") == 0 ? "nodes" : "";
+        const char *method = (*m)->name;
+        const char *body = engine_has_grid(&engine_3d, method) ? "" : "nodes";
         const int meshes = meshes_of(method);
         if (!runs_in_space(method)) continue;
         snprintf(name, sizeof name, "ring_%s", method);

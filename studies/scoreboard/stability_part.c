@@ -88,16 +88,13 @@ static double ring_limit(const Table *t, const char *method)
 {
     const char *layout = strstr(method, "wls") ? "radial" : "cartesian";
     double lost = INFINITY, most = NAN;
-    for (int row = 0; t && row < t->nrow; row++)
-        if (select_is(t, row, "method", method) && select_is(t, row, "layout", layout) &&
-            table_number(t, row, "cells") > 31.5 && table_number(t, row, "cells") < 32.5 &&
-            !select_is(t, row, "status", "ok") && !select_is(t, row, "status", "energy_growth"))
-            lost = fmin(lost, table_number(t, row, "cfl"));
-    for (int row = 0; t && row < t->nrow; row++)
-        if (select_is(t, row, "method", method) && select_is(t, row, "layout", layout) &&
-            table_number(t, row, "cells") > 31.5 && table_number(t, row, "cells") < 32.5 &&
-            table_number(t, row, "cfl") < lost)
-            most = fmax(isnan(most) ? 0 : most, table_number(t, row, "cfl"));
+    for (int pass = 0; t && pass < 2; pass++)
+        for (int row = -1;
+             (row = select_next(t, row, "method=%s layout=%s cells=32", method, layout)) >= 0;) {
+            const double cfl = select_number(t, row, "cfl");
+            if (pass == 0 && select_is_lost(t, row)) lost = fmin(lost, cfl);
+            if (pass == 1 && cfl < lost) most = fmax(isnan(most) ? 0 : most, cfl);
+        }
     return most;
 }
 
@@ -105,9 +102,8 @@ static double ring_limit(const Table *t, const char *method)
 static double touched_limit(const Table *t, const char *method)
 {
     double least = NAN;
-    for (int row = 0; t && row < t->nrow; row++)
-        if (select_is(t, row, "method", method))
-            least = fmin(isnan(least) ? INFINITY : least, table_number(t, row, "critical"));
+    for (int row = -1; (row = next_of(t, row, method)) >= 0;)
+        least = fmin(isnan(least) ? INFINITY : least, select_number(t, row, "critical"));
     return least;
 }
 
@@ -174,8 +170,8 @@ static int fresh_gradients(FILE *f, const Table *t, const char *method)
 /* What the same option makes worse in the study's other cases, or does not help. */
 static void worse(FILE *f, const Table *t, const char *method, const char *remedy)
 {
-    for (int row = 0; row < t->nrow; row++) {
-        if (!select_is(t, row, "method", method) || !select_is(t, row, "remedy", remedy)) continue;
+    for (int row = -1; (row = next_of(t, row, method)) >= 0;) {
+        if (!select_is(t, row, "remedy", remedy)) continue;
         const Mark before = mark_read(select_text(t, row, "before"));
         const Mark after = mark_read(select_text(t, row, "after"));
         if (after < before) continue;

@@ -109,14 +109,15 @@ static void check(Check *c, const Results *r)
         spurious += is > 0;
         if (R >= 0.625 && R <= 1.1) measure_add(&inner, is);
     }
-    claim(c, "W11-3.outside", "WLS: no node inside the ring is spurious: how many are", inner, 0, 0);
+    claim(c, "W11-3.outside", "WLS: no node inside the ring is spurious: how many are", inner, 0,
+          0);
     claim(c, "W11-3.circular",
           "lines of equal weight are nearly circles: least over largest radius of that of .12",
           measure_formula(roundness(trigger)), 0.95, 1);
-    claim(
-        c, "W11-3.trigger",
-        "trigger weights .1 to .25 do equally well: (largest - least)/largest error, ring, N = 32",
-        spread(r->rows), 0, 0.05);
+    claim(c, "W11-3.trigger",
+          "trigger weights .1 to .25 do equally well: (largest - least)/largest error on the ring, "
+          "N = 32",
+          spread(r->rows), 0, 0.05);
     claim_note(c, "trigger", trigger);
     claim_note(c, "spurious", spurious);
 }

@@ -7,6 +7,7 @@
  * its mean of seven neighbours in angle. */
 #include <math.h>
 #include <string.h>
+#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
 #include "studies/tables/hole.h"
 
@@ -48,7 +49,7 @@ static void write_run(FILE *points, FILE *sums, const Results *r, const char *me
     snprintf(part, sizeof part, "%s.%d", method, cells);
     Table *t = results_file(r, part);
     if (!t) return;
-    Rim rim = hole_read(t, cells, truth, strcmp(method, "fem") == 0);
+    Rim rim = hole_read(t, cells, truth, !engine_has_grid(&engine_2d, method));
     for (int k = 0; k < rim.n; k++)
         fprintf(points, "%s,%d,%.17g,%.17g,%.17g\n", method, cells, rim.angle[k], rim.stress[k],
                 rim.reference[k]);

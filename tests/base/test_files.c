@@ -259,7 +259,7 @@ static void test_journal_compact(void)
     unlink(path);
 }
 
-const TestCase files_tests[] = {
+static const TestCase tests[] = {
     {"CSV round trip", test_csv_round_trip},
     {"CSV damaged", test_csv_damaged},
     {"files appear whole", test_file_commit},
@@ -271,3 +271,4 @@ const TestCase files_tests[] = {
     {"journal loses the rows of old programs", test_journal_compact},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -198,7 +198,7 @@ static void test_row_timing(void)
     CU_ASSERT(n == 3);
 }
 
-static const TestCase tools_tests[] = {
+static const TestCase tests[] = {
     {"numbers are read strictly", test_number_parse},
     {"numbers are printed so that they read back the same", test_number_print},
     {"parameters: ranges and words", test_param},
@@ -214,22 +214,4 @@ static const TestCase tools_tests[] = {
     {"timing columns", test_row_timing},
     {NULL, NULL},
 };
-
-extern const TestCase statement_tests[];
-extern const TestCase files_tests[], study_tests[], trial_tests[], effort_tests[], select_tests[],
-    found_tests[], space_tests[];
-
-int main(void)
-{
-    const TestSuite suites[] = {{"tools", tools_tests},
-                                {"files", files_tests},
-                                {"study", study_tests},
-                                {"select", select_tests},
-                                {"effort", effort_tests},
-                                {"statements", statement_tests},
-                                {"found by the fuzzers", found_tests},
-                                {"claims on trial", trial_tests},
-                                {"space", space_tests},
-                                {NULL, NULL}};
-    return check_run(suites);
-}
+CHECK_SUITE(tests)

@@ -260,8 +260,7 @@ static void test_spin(void)
     }
 }
 
-extern const TestCase remedies_tests[];
-const TestCase remedies_tests[] = {
+static const TestCase tests[] = {
     {"the stretch along an axis is that of the eigenvalues", test_stretch},
     {"half widths by each rule, under rotation", test_half_widths},
     {"wide boxes: all mass, no net force, capped", test_wide},
@@ -270,3 +269,4 @@ const TestCase remedies_tests[] = {
     {"an imposed spin keeps its volume", test_spin},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -1,75 +1,10 @@
-/* test_dynamics.c: order in time, the ledgers of energy and momentum, and the published numbers. */
+/* test_dynamics.c: the ledgers of momentum and energy over whole runs. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "common/core/passes.h"
 #include "methods/wls/wls.h"
 #include "tests/fixture.h"
-
-/* ---- order in time */
-
-/* Positions of a case at time T after `steps` steps. */
-static double *positions_at(const Case *c, const Method *m, Integrator i, double T, int steps,
-                            int *count)
-{
-    Rig r;
-    const bool fresh = !rig_valid(m, i, false);
-    CU_ASSERT_FATAL(rig_plan(&r, c, m->info.name, i, fresh ? "refresh=1;allow_unstable=1" : NULL));
-    Sim *sim = rig_sim(&r);
-    r.dt = T / steps;
-    CU_ASSERT_FATAL(rig_steps(&r, sim, 0, steps));
-    double *s = rig_state(sim);
-    *count = sim->p.count;
-    sim_free(sim);
-    return s;
-}
-
-/* By what a difference in position falls when dt is halved from T/steps and halved again. */
-static double fall_with_dt(const Case *c, const Method *m, Integrator i, double T, int steps)
-{
-    double *s[3];
-    int n = 0;
-    for (int k = 0; k < 3; k++) s[k] = positions_at(c, m, i, T, steps << k, &n);
-    const double coarse = rig_gap(s[0], s[1], n, AT_X, DIM),
-                 fine = rig_gap(s[1], s[2], n, AT_X, DIM);
-    for (int k = 0; k < 3; k++) free(s[k]);
-    CU_ASSERT(fine > 1e-11); /* above round-off */
-    return coarse / fine;
-}
-
-/* 4 with the half first step, 2 without, as usl and usf are meant to be. uvf moves particles with
- * what they have and is second order on any mesh. cd and musl move them with P v + a dt, which
- * differs from the re-projection by dt (1 - P S) a, of order dt h^2: small on this fine mesh (3.6
- * measured), and nothing with GE, whose projection is second order itself. */
-static void test_time_order_1d(void)
-{
-    const Case c = {1, "sine_bar", 160, 2, 0, "law=linear;A=0.001"};
-    if (DIM != 1) return;
-    FOR_METHODS(m) FOR_INTEGRATORS(i)
-    {
-        if (!(*m)->smooth || rig_pic(*m) > 0) continue; /* a PIC update damps once a step */
-        if (i == MUSL && strcmp((*m)->info.name, "bspline") == 0)
-            continue; /* P S of a spline is farther from 1 */
-        const double fall = fall_with_dt(&c, *m, i, 0.002, 40);
-        const double wanted = i == USL || i == USF ? 2 : i == UVF || (*m)->linear_exact ? 4 : 3.7;
-        CHECK_CLOSE(fall, wanted, fabs(wanted - 3.7) < 0.1 ? 0.3 : 0.02);
-    }
-}
-
-static void test_time_order_2d(void)
-{
-    const Case c = {2, "plate_vibration", 16, 4, 0, NULL};
-    if (DIM != 2) return;
-    FOR_METHODS(m)
-    {
-        if (!(*m)->smooth || (*m)->keeps_L || rig_pic(*m) > 0)
-            continue; /* crossings disturb a kept L at first order */
-        CHECK_CLOSE(fall_with_dt(&c, *m, UVF, 0.005, 16), 4, 0.2);
-        CHECK_CLOSE(fall_with_dt(&c, *m, USL, 0.005, 16), 2, 0.1);
-    }
-}
-
-/* ---- ledgers */
 
 static Row run(const Case *c, const char *method, Integrator i, const char *more)
 {
@@ -81,24 +16,28 @@ static Row run(const Case *c, const char *method, Integrator i, const char *more
 }
 
 /* Scenes where walls, symmetry lines or body forces push. */
-static const Case pushed[] = {
-    {1, "bar", 20, 2, 0, NULL},        {1, "sine_bar", 20, 2, 0, NULL},
-    {1, "free_block", 32, 2, 0, NULL}, {2, "plate_vibration", 8, 4, 0, NULL},
-    {2, "ring", 8, 4, 0, NULL},        {2, "free_block", 12, 4, 0, NULL}};
+static const struct {
+    Case scene;
+    double wls;
+} pushed[] = {
+    {{1, "bar", 20, 2, 0, NULL}, 4.8e-3},        {{1, "sine_bar", 20, 2, 0, NULL}, 1e-3},
+    {{1, "free_block", 32, 2, 0, NULL}, 3.2e-4}, {{2, "plate_vibration", 8, 4, 0, NULL}, 1e-12},
+    {{2, "ring", 8, 4, 0, NULL}, 2.6e-3},        {{2, "free_block", 12, 4, 0, NULL}, 6.2e-4}};
 
-/* Momentum is what walls and forces gave: to round-off, for every stable pair in every variant.
- * (WLS: below.) */
+/* Momentum is what walls and forces gave, for every stable pair in every variant: to round-off;
+ * with WLS to what return and repair add (below), a third above the largest measured. The plate is
+ * its own mirror image along both axes, so that they add nothing. */
 static void test_momentum_ledger(void)
 {
     char set[VARIANT_TEXT];
     for (int k = 0; k < COUNT(pushed); k++) FOR_METHODS(m) FOR_INTEGRATORS(i)
         {
-            if (pushed[k].dim != DIM || !rig_valid(*m, i, true) || (*m)->assemble) continue;
+            if (pushed[k].scene.dim != DIM || !rig_valid(*m, i, true)) continue;
             const bool fresh = !rig_valid(*m, i, false);
             for (int v = 0; v < VARIANTS; v++) {
                 if (!rig_variant(*m, v, fresh ? "refresh=1;steps=30" : "steps=30", set)) continue;
-                const Row row = run(&pushed[k], (*m)->info.name, i, set);
-                CU_ASSERT(row.momentum_drift < 1e-12);
+                const Row row = run(&pushed[k].scene, (*m)->info.name, i, set);
+                CU_ASSERT(row.momentum_drift < ((*m)->assemble ? pushed[k].wls : 1e-12));
             }
         }
 }
@@ -294,10 +233,7 @@ static void test_history(void)
     remove(path);
 }
 
-extern const TestCase dynamics_tests[];
-const TestCase dynamics_tests[] = {
-    {"order in time, 1D", test_time_order_1d},
-    {"order in time, 2D", test_time_order_2d},
+static const TestCase tests[] = {
     {"momentum = impulse of walls and forces", test_momentum_ledger},
     {"WLS: forces and reactions on the grid", test_wls_grid_ledger},
     {"WLS: what repair and return add", test_wls_momentum},
@@ -305,3 +241,4 @@ const TestCase dynamics_tests[] = {
     {"work, instant by instant", test_history},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

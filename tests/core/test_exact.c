@@ -289,8 +289,7 @@ static void test_light_node(void)
     }
 }
 
-extern const TestCase exact_tests[];
-const TestCase exact_tests[] = {
+static const TestCase tests[] = {
     {"gradient-enhanced methods reproduce linear fields from any particles", test_linear_field},
     {"and hand its gradient to F", test_gradient_of_field},
     {"stretched boxes stay contiguous: even mass, no force inside", test_contiguous},
@@ -298,3 +297,4 @@ const TestCase exact_tests[] = {
     {"a node of round-off weight moves nothing", test_light_node},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

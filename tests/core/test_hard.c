@@ -240,8 +240,7 @@ static void test_patch(void)
     }
 }
 
-extern const TestCase hard_tests[];
-const TestCase hard_tests[] = {
+static const TestCase tests[] = {
     {"imposed motion", test_imposed},
     {"velocities that alternate", test_ripple},
     {"an error only where there is an answer", test_answers},
@@ -251,3 +250,4 @@ const TestCase hard_tests[] = {
     {"bodies of uneven particles", test_patch},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -68,9 +68,9 @@ static void test_hanging_bar(void)
     CHECK_CLOSE(s.wall[0].at, s.body_hi[1], 0);
 }
 
-extern const TestCase loads_tests[];
-const TestCase loads_tests[] = {
+static const TestCase tests[] = {
     {"cantilever: end shear, its ramp and its place", test_cantilever},
     {"hanging bar: weight", test_hanging_bar},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -142,8 +142,7 @@ static void test_speeds(void)
     CU_ASSERT(material_wave_speed_p(&m) < material_wave_speed_bound(&m));
 }
 
-extern const TestCase material_tests[];
-const TestCase material_tests[] = {
+static const TestCase tests[] = {
     {"logarithm to 1.5 ulp", test_log},
     {"logarithms of many", test_log_n},
     {"stress is the derivative of stored energy", test_stress},
@@ -152,3 +151,4 @@ const TestCase material_tests[] = {
     {"Lame constants and wave speeds", test_speeds},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -74,8 +74,8 @@ static void test_moments(void)
     sim_free(sim);
 }
 
-extern const TestCase contract_tests[];
-const TestCase contract_tests[] = {
+static const TestCase tests[] = {
     {"a least-squares moment pass fits", test_moments},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

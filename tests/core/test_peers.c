@@ -129,8 +129,8 @@ static void test_peers(void)
     for (size_t k = 0; k < sizeof peers / sizeof *peers; k++) check_peer(&peers[k]);
 }
 
-extern const TestCase peers_tests[];
-const TestCase peers_tests[] = {
+static const TestCase tests[] = {
     {"Matter and NairnMPM compute the same states", test_peers},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -92,9 +92,9 @@ static void test_squeeze(void)
         }
 }
 
-extern const TestCase spots_tests[];
-const TestCase spots_tests[] = {
+static const TestCase tests[] = {
     {"published numbers", test_spots},
     {"squeeze: interior nodes, linear field", test_squeeze},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

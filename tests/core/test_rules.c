@@ -146,8 +146,7 @@ static void test_formulas(void)
         CU_ASSERT((*m)->formula && *(*m)->formula && !(*m)->scale);
 }
 
-extern const TestCase rules_tests[];
-const TestCase rules_tests[] = {
+static const TestCase tests[] = {
     {"number of steps and dt", test_times},
     {"steps=N", test_steps},
     {"particles per cell", test_ppc},
@@ -157,3 +156,4 @@ const TestCase rules_tests[] = {
     {"formulas", test_formulas},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

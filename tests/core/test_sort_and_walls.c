@@ -174,10 +174,10 @@ static void test_walls(void)
         }
 }
 
-extern const TestCase order_tests[];
-const TestCase order_tests[] = {
+static const TestCase tests[] = {
     {"sorted by cell, and stable", test_sort},
     {"blocks that run at once are apart", test_blocks},
     {"walls and symmetry lines hold their nodes", test_walls},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -243,8 +243,7 @@ static void test_scenes(void)
     if (DIM < 3) CU_ASSERT(wide >= 2 && narrow >= 2 && chunks >= 1); /* 3D has no scenes yet */
 }
 
-extern const TestCase twin_tests[];
-const TestCase twin_tests[] = {
+static const TestCase tests[] = {
     {"the scenes have wide and narrow stencils and several blocks", test_scenes},
     {"20 steps in a corner of symmetry lines", test_corner},
     {"the same, particles on nodes, symmetry lines and wall", test_corner_on_nodes},
@@ -253,3 +252,4 @@ const TestCase twin_tests[] = {
     {"300 steps of the stable smooth pairs, sorted many times", test_long},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -269,8 +269,7 @@ static void test_threads(void)
     solver_fem.free(one);
 }
 
-extern const TestCase fem_tests[];
-const TestCase fem_tests[] = {
+static const TestCase tests[] = {
     {"patch: uniform strain", test_patch},
     {"patch: affine velocity", test_affine_velocity},
     {"a rotation is free of stress", test_rotation},
@@ -281,3 +280,4 @@ const TestCase fem_tests[] = {
     {"bitwise the same on any number of threads", test_threads},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -1,8 +1,6 @@
 /* test_fem_scenes.c: the FEM solver on scenes of the tests' own: static limit, impact, failures. */
 #include "fem_check.h"
 
-extern const TestCase mesh_tests[], fem_tests[], ring_tests[];
-
 enum { SPIN, RAMP }; /* scene constants: w^2 [1/s^2], duration of the ramp [s] */
 
 /* Centrifugal force, switched on smoothly. */
@@ -180,7 +178,7 @@ static void test_integrator(void)
     CU_ASSERT_EQUAL(fault.code, FAULT_USAGE);
 }
 
-static const TestCase scene_tests[] = {
+static const TestCase tests[] = {
     {"static limit: a thick cylinder that turns", test_static_limit},
     {"impact on a frictionless wall", test_impact},
     {"a wall that holds every component", test_glued_wall},
@@ -188,13 +186,4 @@ static const TestCase scene_tests[] = {
     {"central difference only", test_integrator},
     {NULL, NULL},
 };
-
-int main(void)
-{
-    const TestSuite suites[] = {{"mesh", mesh_tests},
-                                {"fem", fem_tests},
-                                {"fem scenes", scene_tests},
-                                {"ring", ring_tests},
-                                {NULL, NULL}};
-    return check_run(suites);
-}
+CHECK_SUITE(tests)

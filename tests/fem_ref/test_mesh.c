@@ -151,8 +151,7 @@ static void test_too_many(void)
     CU_ASSERT_EQUAL(fault.code, FAULT_USAGE);
 }
 
-extern const TestCase mesh_tests[];
-const TestCase mesh_tests[] = {
+static const TestCase tests[] = {
     {"areas, masses, orientation", test_areas},
     {"conforming, boundary of the right length", test_conformity},
     {"corner lists complete, F = I at rest", test_lists},
@@ -160,3 +159,4 @@ const TestCase mesh_tests[] = {
     {"too large or unknown bodies are refused", test_too_many},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

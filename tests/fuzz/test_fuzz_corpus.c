@@ -64,10 +64,9 @@ static void test_sweep(void)
     replay("sweep", fuzz_sweep);
 }
 
-extern const TestCase found_tests[];
-
-const TestCase found_tests[] = {
+static const TestCase tests[] = {
     {"arguments", test_run},    {"settings", test_set}, {"runs", test_case},
     {"journals", test_journal}, {"tables", test_table}, {"appended rows", test_append},
     {"sweeps", test_sweep},     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -212,10 +212,11 @@ static void test_carried(void)
     trial_close(&t);
 }
 
-const TestCase ge_wls_tests[] = {
+static const TestCase tests[] = {
     {"cells with a curved side", test_circles},
     {"gradients as samples", test_gradients},
     {"the mass matrix", test_mass},
     {"the velocity that carries particles", test_carried},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

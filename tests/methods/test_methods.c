@@ -266,8 +266,7 @@ static void test_wall_field(void)
     sim_free(sim);
 }
 
-extern const TestCase methods_tests[];
-const TestCase methods_tests[] = {
+static const TestCase tests[] = {
     {"a uniform velocity, every variant", test_constant},
     {"angular momentum where declared", test_turning},
     {"what rings: each step leaves 1 - pic of it", test_ringing},
@@ -278,3 +277,4 @@ const TestCase methods_tests[] = {
     {"and so do the core's", test_wall_field},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

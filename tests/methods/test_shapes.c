@@ -139,8 +139,7 @@ static void test_known_values(void)
     CU_ASSERT(ENGINE_NAME.weight("no such method", 0.3, 0.25, &S, &G) < 0);
 }
 
-extern const TestCase shapes_tests[];
-const TestCase shapes_tests[] = {
+static const TestCase tests[] = {
     {"partition of unity, positions, gradients add to nothing", test_sums},
     {"the same on nodes and edges", test_edges},
     {"gradients are derivatives", test_gradient},
@@ -148,3 +147,4 @@ const TestCase shapes_tests[] = {
     {"values by hand", test_known_values},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -200,7 +200,7 @@ static void test_distances(void)
     }
 }
 
-const TestCase wls_tests[] = {
+static const TestCase tests[] = {
     {"what is in and what is out fill the square, all 16 masks", test_masks_complete},
     {"centroids have the area and first moments", test_centroids},
     {"triangle, quadrilateral, pentagon, square, saddle", test_known_shapes},
@@ -208,3 +208,4 @@ const TestCase wls_tests[] = {
     {"distances are of second order, areas right", test_distances},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

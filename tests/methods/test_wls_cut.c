@@ -153,9 +153,9 @@ static void test_folded(void)
     CU_ASSERT(DIM == 1 || count[1] >= 1);
 }
 
-extern const TestCase wls_cut_tests[];
-const TestCase wls_cut_tests[] = {
+static const TestCase tests[] = {
     {"velocities linear in space", test_affine},
     {"folded forces, given and taken", test_folded},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -161,9 +161,9 @@ static void test_plane(void)
     sim_free(sim);
 }
 
-extern const TestCase wls_hand_tests[];
-const TestCase wls_hand_tests[] = {
+static const TestCase tests[] = {
     {"a line: two fits, a cut cell, a force", test_line},
     {"a plane: a fit, a cut cell, a force", test_plane},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

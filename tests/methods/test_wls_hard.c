@@ -233,7 +233,6 @@ static void test_thin(void)
     }
 }
 
-extern const TestCase wls_hard_tests[];
 /* Force over mass of the sound nodes around node `at`; returns their number. */
 static int neighbours_move(const Sim *sim, size_t at, Vec acc)
 {
@@ -283,9 +282,10 @@ static void test_massless(void)
     trial_close(&t);
 }
 
-const TestCase wls_hard_tests[] = {
+static const TestCase tests[] = {
     {"thin strip, sharp corner, slit, gaps, too few: named ends, counted", test_hard},
     {"so few particles that no cell has mass: nodes still move with them", test_thin},
     {"nodes without mass move with their neighbours", test_massless},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

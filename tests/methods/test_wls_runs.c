@@ -200,8 +200,7 @@ static void test_patch(void)
     CU_ASSERT(worst < 1e-10);
 }
 
-extern const TestCase wls_run_tests[];
-const TestCase wls_run_tests[] = {
+static const TestCase tests[] = {
     {"ring: published errors, second order with the cures", test_ring},
     {"ring and standing waves: ge_wls below FEM", test_ge_ring},
     {"wls with settings is wls2, and ge_wls", test_settings},
@@ -213,15 +212,4 @@ const TestCase wls_run_tests[] = {
     {"affine patch test, every method", test_patch},
     {NULL, NULL},
 };
-
-int main(void)
-{
-    const TestSuite suites[] = {{"wls pieces", wls_tests},
-                                {"wls hard spots", wls_hard_tests},
-                                {"axis_mms", axis_tests},
-                                {"vortex", vortex_tests},
-                                {"ge_wls pieces", ge_wls_tests},
-                                {"wls runs", wls_run_tests},
-                                {NULL, NULL}};
-    return check_run(suites);
-}
+CHECK_SUITE(tests)

@@ -8,8 +8,6 @@
 #include "common/core/step.h"
 #include "tests/check.h"
 
-extern const TestCase wls_tests[], wls_hard_tests[], ge_wls_tests[], axis_tests[], vortex_tests[];
-
 typedef struct Trial {
     RunSpec spec;
     Plan plan;

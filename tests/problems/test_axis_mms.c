@@ -45,9 +45,9 @@ static void test_start(void)
     }
 }
 
-extern const TestCase axis_tests[];
-const TestCase axis_tests[] = {
+static const TestCase tests[] = {
     {"body force balances the exact motion (finite differences)", test_balance},
     {"starts with the exact velocity and its gradient", test_start},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

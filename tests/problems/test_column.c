@@ -90,10 +90,10 @@ static void test_methods_find_it(void)
     CU_ASSERT(error_of("ge_wls", 16) < 0.05);
 }
 
-extern const TestCase column_tests[];
-const TestCase column_tests[] = {
+static const TestCase tests[] = {
     {"its wave equation", test_wave_equation},
     {"ends, free fall, period", test_ends},
     {"methods converge to it", test_methods_find_it},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -269,9 +269,7 @@ static void test_plate_displacement(void)
     }
 }
 
-extern const TestCase snapshot_tests[], peers_tests[], loads_tests[];
-
-static const TestCase scene_tests[] = {
+static const TestCase tests[] = {
     {"disk: rings, surface, normals", test_disk_points},
     {"disk: lattice", test_disk_lattice},
     {"disk: walls and start", test_disk_walls},
@@ -283,13 +281,4 @@ static const TestCase scene_tests[] = {
     {"plate: largest displacement", test_plate_displacement},
     {NULL, NULL},
 };
-
-int main(void)
-{
-    const TestSuite suites[] = {{"disk and plate", scene_tests},
-                                {"snapshots", snapshot_tests},
-                                {"loads", loads_tests},
-                                {"codes of other authors", peers_tests},
-                                {NULL, NULL}};
-    return check_run(suites);
-}
+CHECK_SUITE(tests)

@@ -215,8 +215,8 @@ static void test_ppc_column(void)
     }
 }
 
-extern const TestCase mass_tests[];
-const TestCase mass_tests[] = {
+static const TestCase tests[] = {
     {"boxes", test_boxes},   {"lattice as always", test_lattice}, {"scenes", test_scenes},
     {"patches", test_patch}, {"column ppc", test_ppc_column},     {NULL, NULL},
 };
+CHECK_SUITE(tests)

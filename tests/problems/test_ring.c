@@ -107,8 +107,7 @@ static void test_refused(void)
     CU_ASSERT(why[0] != '\0');
 }
 
-extern const TestCase ring_tests[];
-const TestCase ring_tests[] = {
+static const TestCase tests[] = {
     {"body force: known values", test_body_force_values},
     {"body force balances the exact motion (finite differences)", test_body_force_balance},
     {"initial F is the gradient of the initial u", test_start},
@@ -117,3 +116,4 @@ const TestCase ring_tests[] = {
     {"an offset of the quarter ring is refused", test_refused},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -201,8 +201,7 @@ static void test_cavity(void)
     layout_free(&out);
 }
 
-extern const TestCase shell_tests[];
-const TestCase shell_tests[] = {
+static const TestCase tests[] = {
     {"body forces balance the exact motion (finite differences)", test_balance},
     {"starts from the exact state", test_start},
     {"no traction on the surfaces of the shell", test_traction},
@@ -212,3 +211,4 @@ const TestCase shell_tests[] = {
     {"points around the cavity", test_cavity},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

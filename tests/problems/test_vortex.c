@@ -107,8 +107,7 @@ static void test_fitted_points(void)
     layout_free(&out);
 }
 
-extern const TestCase vortex_tests[];
-const TestCase vortex_tests[] = {
+static const TestCase tests[] = {
     {"body force balances the exact motion (finite differences)", test_balance},
     {"starts with the exact velocity and its gradient", test_start},
     {"keeps its volume; both circles rest, free of traction", test_free_surfaces},
@@ -116,3 +115,4 @@ const TestCase vortex_tests[] = {
     {"body-fitted points: area, surface, normals", test_fitted_points},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

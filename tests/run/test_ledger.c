@@ -229,8 +229,7 @@ static void test_failed_errors(void)
     check_failed(&ring, "usf", false);
 }
 
-extern const TestCase ledger_tests[];
-const TestCase ledger_tests[] = {
+static const TestCase tests[] = {
     {"work of body forces", test_work},
     {"starts from rest", test_starts},
     {"growth by any factor", test_growth},
@@ -239,3 +238,4 @@ const TestCase ledger_tests[] = {
     {"errors of a failed run", test_failed_errors},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

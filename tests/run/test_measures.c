@@ -220,8 +220,7 @@ static void test_von_mises(void)
     particle_solver.free(core);
 }
 
-extern const TestCase measures_tests[];
-const TestCase measures_tests[] = {
+static const TestCase tests[] = {
     {"error norms", test_norms},
     {"errors of a projection", test_projection},
     {"kinetic energy, momentum, volumes", test_sums},
@@ -230,3 +229,4 @@ const TestCase measures_tests[] = {
     {"von Mises stress; columns of --particles", test_von_mises},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

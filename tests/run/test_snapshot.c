@@ -178,8 +178,7 @@ static void test_base64(void)
     remove("base64.vtp");
 }
 
-extern const TestCase snapshot_tests[];
-const TestCase snapshot_tests[] = {
+static const TestCase tests[] = {
     {"polygons cover the body", test_cover},
     {"files and collections", test_files},
     {"a projection has its snapshot", test_projection},
@@ -189,3 +188,4 @@ const TestCase snapshot_tests[] = {
     {"base64", test_base64},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -150,8 +150,7 @@ static void test_dimension(void)
     CU_ASSERT_PTR_NOT_NULL(strstr(command, "--set dim=3"));
 }
 
-extern const TestCase space_tests[];
-const TestCase space_tests[] = {
+static const TestCase tests[] = {
     {"a ring between symmetry planes is the plane ring", test_ring},
     {"an octant of the shell is the whole", test_octant},
     {"errors of the shell as measured elsewhere", test_shell},
@@ -161,3 +160,4 @@ const TestCase space_tests[] = {
     {"default dimension of a scene", test_dimension},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -266,8 +266,7 @@ static void test_too_large(void)
     CU_ASSERT_PTR_NOT_NULL(strstr(r.fault.text, "GB"));
 }
 
-extern const TestCase status_tests[];
-const TestCase status_tests[] = {
+static const TestCase tests[] = {
     {"left_grid, inverted", test_ends},
     {"nan", test_nan},
     {"padding follows its particle", test_padding},
@@ -278,3 +277,4 @@ const TestCase status_tests[] = {
     {"too large", test_too_large},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -132,10 +132,10 @@ static void test_points(void)
     table_free(t);
 }
 
-extern const TestCase effort_tests[];
-const TestCase effort_tests[] = {
+static const TestCase tests[] = {
     {"the cost to reach an error", test_reach},
     {"the cost where no line leads there", test_reach_ends},
     {"best of repeats, fronts", test_points},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

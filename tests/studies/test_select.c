@@ -125,8 +125,7 @@ static void test_colours(void)
     free(settings);
 }
 
-extern const TestCase select_tests[];
-const TestCase select_tests[] = {
+static const TestCase tests[] = {
     {"rows by columns", test_columns},
     {"rows by settings", test_settings},
     {"a name that no table has is a fault", test_unknown},
@@ -134,3 +133,4 @@ const TestCase select_tests[] = {
     {"a colour per method", test_colours},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -105,9 +105,9 @@ static void test_alone(void)
     free(c.list);
 }
 
-extern const TestCase statement_tests[];
-const TestCase statement_tests[] = {
+static const TestCase tests[] = {
     {"a sentence for every claim of a paper", test_sentences},
     {"claims that can be read alone", test_alone},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

@@ -7,9 +7,7 @@
 #include <unistd.h>
 #include "studies/engine/cases.h"
 #include "studies/engine/claims.h"
-#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
-#include "studies/w07/squeeze.h"
 #include "studies/engine/sidecar.h"
 #include "studies/engine/run_study.h"
 #include "tests/check.h"
@@ -261,29 +259,7 @@ static void test_lost(void)
     table_free(t);
 }
 
-static void squeezes(Cases *list, bool quick)
-{
-    squeeze_add(list, "gimp", "quadratic", 20, 5, quick);
-}
-
-/* 10 to 200 particles, 5 or 125 apart. */
-static void test_squeezes(void)
-{
-    const Study page = {.name = "squeezes", .cases = squeezes};
-    Cases list;
-    CU_ASSERT_FATAL(cases_build(&list, &page, false, NULL, dir, NULL) == 0);
-    CU_ASSERT(list.n == 39);
-    for (int k = 0; k < list.n; k++) {
-        CHECK_CLOSE(list.list[k].spec.ppc, (10 + 5 * k) / 20.0, 1e-15);
-        const RunSpec *spec = &list.list[k].spec;
-        CU_ASSERT(!strcmp(spec_get(spec, "field"), "quadratic") && !strcmp(spec->method, "gimp"));
-    }
-    cases_free(&list);
-    CU_ASSERT(study_case_count(&page, true) == 2);
-    CU_ASSERT(engine_method("gimp") && engine_method("fem") && !engine_method("gmp"));
-}
-
-const TestCase study_tests[] = {
+static const TestCase tests[] = {
     {"verdicts", test_verdicts},
     {"notes for the figure", test_notes},
     {"a file that is gone is made again", test_file_comes_back},
@@ -296,6 +272,6 @@ const TestCase study_tests[] = {
     {"claims that a page declares", test_declared},
     {"medians", test_median},
     {"lost runs", test_lost},
-    {"the squeeze's cases", test_squeezes},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)

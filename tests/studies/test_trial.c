@@ -248,9 +248,10 @@ static void test_one_lost(void)
     each_study(check_one_lost, true);
 }
 
-const TestCase trial_tests[] = {
+static const TestCase tests[] = {
     {"claims on whole tables and on tables without rows", test_whole},
     {"claims on lost runs", test_all_lost},
     {"claims with one run lost", test_one_lost},
     {NULL, NULL},
 };
+CHECK_SUITE(tests)
