@@ -11,14 +11,29 @@
  *
  * need current edges only. Every element writes its own slots: no order of summation arises. */
 #include <float.h>
+#include "common/contract/four.h"
 #include "fem.h"
 
 /* Edges x2 - x1, x3 - x1, ... of a chunk: [edge][component]. */
 typedef Field Edges[DIM][DIM];
 
+/* In 3D, of four elements at a time. */
+static inline void gather_four(const Fem *f, int start, int e, Edges edge)
+{
+    Four first[FOUR], along[FOUR];
+    for (int i = 0; i < FOUR; i++) first[i] = *(const Four *)&f->now[f->corner[0][start + e + i]];
+    for (int k = 0; k < DIM; k++) {
+        const int *corner = f->corner[k + 1] + start + e;
+        for (int i = 0; i < FOUR; i++) along[i] = *(const Four *)&f->now[corner[i]] - first[i];
+        four_transpose(along);
+        for (int a = 0; a < DIM; a++) *(Four *)&edge[k][a][e] = along[a];
+    }
+}
+
 static inline void gather_edges(const Fem *f, int start, Edges edge)
 {
-    for (int e = 0; e < CHUNK; e++) {
+    for (int e = 0; DIM == 3 && e < CHUNK; e += FOUR) gather_four(f, start, e, edge);
+    for (int e = 0; DIM < 3 && e < CHUNK; e++) {
         const Packed first = f->now[f->corner[0][start + e]];
         for (int k = 0; k < DIM; k++) {
             const Packed along = f->now[f->corner[k + 1][start + e]] - first;
@@ -27,16 +42,23 @@ static inline void gather_edges(const Fem *f, int start, Edges edge)
     }
 }
 
+/* One component of F = e B. */
+static inline void product(Edges edge, Field B[NMAT], int c, double *restrict out)
+{
+    for (int e = 0; e < CHUNK; e++) {
+        double sum = edge[0][c / DIM][e] * B[c % DIM][e];
+        for (int k = 1; k < DIM; k++) sum += edge[k][c / DIM][e] * B[k * DIM + c % DIM][e];
+        out[e] = sum;
+    }
+}
+
 /* F = e B and J = det F. */
 static inline void deform(Edges edge, Field B[NMAT], double *const F[NMAT], Field J)
 {
+    for (int c = 0; c < NMAT; c++) product(edge, B, c, F[c]);
     for (int e = 0; e < CHUNK; e++) {
         Mat now;
-        for (int c = 0; c < NMAT; c++) {
-            now[c] = 0;
-            for (int k = 0; k < DIM; k++) now[c] += edge[k][c / DIM][e] * B[k * DIM + c % DIM][e];
-        }
-        for (int c = 0; c < NMAT; c++) F[c][e] = now[c];
+        for (int c = 0; c < NMAT; c++) now[c] = F[c][e];
         J[e] = determinant(now);
     }
 }
@@ -47,6 +69,24 @@ static inline bool any_bad(const Field J)
     int bad = 0;
     for (int e = 0; e < CHUNK; e++) bad |= !(J[e] > 0 && J[e] <= DBL_MAX);
     return bad;
+}
+
+/* Corner forces from fields to vectors, of four elements at a time. */
+static inline void pack(Field out[CORNERS][DIM], Packed *force)
+{
+    for (int c = 0; c < CORNERS; c++)
+        for (int e = 0; e < CHUNK; e += FOUR) {
+            Four own[FOUR] = {{0}};
+            Four *to = (Four *)&force[c * CHUNK + e];
+            for (int a = 0; a < DIM; a++) own[a] = *(const Four *)&out[c][a][e];
+            if (DIM == 2) {
+                to[0] = __builtin_shufflevector(own[0], own[1], 0, 4, 1, 5);
+                to[1] = __builtin_shufflevector(own[0], own[1], 2, 6, 3, 7);
+                continue;
+            }
+            if (DIM == 3) four_transpose(own);
+            for (int i = 0; i < IN_THIS_DIM(1, 2, 4); i++) to[i] = own[i];
+        }
 }
 
 /* Corner forces of a chunk from T = J sigma. */
@@ -67,12 +107,7 @@ static inline void push(Edges edge, Field T[NMAT], const Field J, Packed *force)
             }
         }
     }
-    for (int c = 0; c < CORNERS; c++)
-        for (int e = 0; e < CHUNK; e++) {
-            Packed own = {0};
-            for (int a = 0; a < DIM; a++) own[a] = out[c][a][e];
-            force[c * CHUNK + e] = own;
-        }
+    pack(out, force);
 }
 
 static bool strain_chunk(Fem *f, int start)

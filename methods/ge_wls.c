@@ -5,9 +5,9 @@
  * spline W. */
 #include "methods/wls/params.h"
 
-static const Param params[] =
-    WLS_PARAMS(QUADRATURE_EXACT, DISTANCE_CURVED, SPURIOUS_EXTRAPOLATE, RETURN_SPLINE,
-               AVERAGE_FOLDED, MASS_CORRECTED, VELOCITY_CORRECTED, MOTION_CONSISTENT, 1000, 0.25);
+static const Param params[] = WLS_PARAMS(
+    QUADRATURE_EXACT, DISTANCE_CURVED, SPURIOUS_EXTRAPOLATE, RETURN_SPLINE, AVERAGE_FOLDED,
+    MASS_CORRECTED, VELOCITY_CORRECTED, MOTION_CONSISTENT, 1000, IN_THIS_DIM(0.25, 0.25, 0.125));
 
 const Method method_ge_wls = {
     .info = {.name = "ge_wls",

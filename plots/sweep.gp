@@ -56,14 +56,30 @@ good(k) = of(k) && (strcol('status') eq 'ok' || strcol('status') eq 'energy_grow
 shown(k) = good(k) && (!y_log || abs(column(3)) > 0) ? abs(column(3)) : NaN
 zero(k) = good(k) && y_log && strlen(strcol(3)) && !(abs(column(3)) > 0) ? 0.025 : NaN
 dead(k) = of(k) && !good(k) ? 0.975 - 0.03 * ((k - 1) % 8) : NaN
-style_(k) = 1 + (k - 1) % 10
+# A curve has its method's colour and label; curves of one method differ in their dashes.
+array OWN[curves]
+array NTH[curves]
+do for [k = 1:curves] {
+    OWN[k] = ''
+    NTH[k] = 1
+    do for [w in METHODS] {
+        if (TITLE[k] eq w || substr(TITLE[k], 1, strlen(w) + 1) eq w.';') {
+            OWN[k] = w
+            TITLE[k] = label(w).substr(TITLE[k], strlen(w) + 1, strlen(TITLE[k]))
+            break
+        }
+    }
+    do for [j = 1:k - 1] { if (OWN[j] eq OWN[k]) { NTH[k] = NTH[k] + 1 } }
+}
+style_(k) = strlen(OWN[k]) ? style(OWN[k]) : slot(1 + (k - 1) % 10)
+dash_(k) = strlen(OWN[k]) ? NTH[k] : 1 + (k - 1) / 10
 zeros = 0
 stats curves_ using (zeros = zeros + (sum [k = 1:curves] (zero(k) > 0)), 1) nooutput
 line(k) = numeric ? shown(k) : NaN
-plot for [k = 1:curves] curves_ using 2:(line(k)) with lines ls style_(k) dt 1 + (k - 1) / 10 notitle, \
+plot for [k = 1:curves] curves_ using 2:(line(k)) with lines ls style_(k) dt dash_(k) notitle, \
      for [k = 1:curves] curves_ using 2:(shown(k)) with points ls style_(k) notitle, \
      for [k = 1:curves] curves_ using 2:(zero(k)) axes x1y2 with points pt 6 ps 1.2 lc rgb COLOUR[style_(k)] notitle, \
      for [k = 1:curves] curves_ using 2:(dead(k)) axes x1y2 with points pt 2 ps 1.2 lw 2 lc rgb COLOUR[style_(k)] notitle, \
-     for [k = 1:curves] keyentry with linespoints ls style_(k) dt 1 + (k - 1) / 10 title says(k), \
+     for [k = 1:curves] keyentry with linespoints ls style_(k) dt dash_(k) title says(k), \
      keyentry with points pt 2 ps 1.2 lw 2 lc rgb '#444444' title (lost_runs ? 'lost' : ''), \
      keyentry with points pt 6 ps 1.2 lc rgb '#444444' title (zeros ? 'exactly 0' : '')

@@ -28,14 +28,19 @@ static double edge_curvature(const Curved *c, int a, int b, double *along)
     return 0.5 * (c->kappa[a] + c->kappa[b]);
 }
 
-/* Where the edge from corner a to corner b leaves the shape or enters it, eq 18: t in [0, 1] of
- *   (1 - t) d_a + t d_b + bulge t (1 - t) = 0,  bulge = (kappa/2) t_e^2. */
+double polygon_cut(double in, double out, double bulge)
+{
+    const double slope = out - in + bulge;
+    return 2 * in / (sqrt(slope * slope + 4 * bulge * in) - slope);
+}
+
+/* Where the edge from corner a to corner b leaves the shape or enters it, eq 18, with a bulge of
+ * (kappa/2) t_e^2. */
 static void add_cut(Polygon *p, const double d[4], const Curved *c, int a, int b)
 {
     double along = 0;
     const double kappa = c ? edge_curvature(c, a, b, &along) : 0, bulge = 0.5 * kappa * along;
-    const double in = d[a] > 0 ? d[a] : d[b], slope = (d[a] > 0 ? d[b] : d[a]) - in + bulge;
-    const double s = 2 * in / (sqrt(slope * slope + 4 * bulge * in) - slope);
+    const double s = polygon_cut(d[a] > 0 ? d[a] : d[b], d[a] > 0 ? d[b] : d[a], bulge);
     const double t = d[a] > 0 ? s : 1 - s;
     add(p, corner_x[a] + t * (corner_x[b] - corner_x[a]),
         corner_y[a] + t * (corner_y[b] - corner_y[a]));

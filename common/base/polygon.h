@@ -18,6 +18,10 @@ typedef struct Curved {
     double kappa[4], normal[4][2];
 } Curved;
 
+/* Where an edge of length 1 leaves the shape, from the distances of its ends inside and outside: t
+ * in [0, 1] of (1 - t) in + t out + bulge t (1 - t) = 0. */
+double polygon_cut(double in, double out, double bulge);
+
 /* The shape from the distances at corners (0,0), (1,0), (0,1), (1,1): in where > 0, edges cut by
  * linear interpolation (W11 eq 18). A saddle is one hexagon if the mean distance is positive, else
  * two triangles. With `curved` (or NULL) edges are cut where the curve crosses them, and the chord

@@ -2,6 +2,7 @@
 #include <string.h>
 #include "half_line.h"
 #include "moments.h"
+#include "parts.h"
 #include "passes.h"
 
 static void clear_row(Grid *g, int row)
@@ -92,11 +93,11 @@ static void deposit_chunk(Sim *sim, int k, double t, Deposit what, Work *w)
     const int width = make_stencils(sim, &c, w);
     make_payload(sim, &c, what == FORCES, width, w);
     if (width == 2)
-        affine ? deposit(g, w, 2, true) : deposit(g, w, 2, false);
+        affine ? deposit_lines(g, w, 2, true) : deposit_lines(g, w, 2, false);
     else if (width == 3)
-        affine ? deposit(g, w, 3, true) : deposit(g, w, 3, false);
+        affine ? deposit_lines(g, w, 3, true) : deposit_lines(g, w, 3, false);
     else
-        affine ? deposit(g, w, width, true) : deposit(g, w, width, false);
+        affine ? deposit_lines(g, w, width, true) : deposit_lines(g, w, width, false);
     if (what != FORCES || !g->force) return;
     chunk_body(sim, &c, t, w->body);
     if (width == 3)

@@ -1,6 +1,7 @@
 /* gather.c: nodes to particles, and the check of the moved particles (passes.h). */
 #include "half_line.h"
 #include "moments.h"
+#include "parts.h"
 #include "passes.h"
 #include "strain.h"
 
@@ -51,11 +52,11 @@ static inline __attribute__((always_inline)) void gather_line(const Grid *g, Wor
                                                               const int table)
 {
     if (width == 2)
-        gather(g, w, 2, table);
+        gather_lines(g, w, 2, table);
     else if (width == 3)
-        gather(g, w, 3, table);
+        gather_lines(g, w, 3, table);
     else
-        gather(g, w, width, table);
+        gather_lines(g, w, width, table);
 }
 
 static void gather_moments(const Sim *sim, Work *w, int width)

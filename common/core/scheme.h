@@ -8,6 +8,7 @@
 #define MPMLAB_SCHEME_H
 
 #include <math.h>
+#include "common/contract/four.h"
 #include "sim.h"
 #include "stretch.h"
 
@@ -278,8 +279,7 @@ static inline void pack_payload(const Sim *sim, Work *w, bool affine)
         for (int a = 0; a < DIM; a++)
             for (int p = 0; p < CHUNK; p++) q->A[1 + a][p] += q->B[d][a][p] * r[p];
     }
-    for (int p = 0; p < CHUNK; p++)
-        for (int l = 0; l < LANES; l++) w->A[p][l] = q->A[l][p];
+    four_lines_from_fields(q->A, w->A);
     if (affine)
         for (int p = 0; p < CHUNK; p++)
             for (int k = 0; k < NMAT; k++) w->B[p][FLUX + k] = sim->dx * q->B[k / DIM][k % DIM][p];
@@ -289,8 +289,7 @@ static inline void pack_payload(const Sim *sim, Work *w, bool affine)
  * metre for derivatives, cells to metres for moments. */
 static inline void unpack_sums(Work *w, int at, double scale)
 {
-    for (int p = 0; p < CHUNK; p++)
-        for (int l = 0; l < LANES; l++) w->sums[at + l][p] = w->A[p][l];
+    four_fields_from_lines(w->A, w->sums + at);
     for (int l = FLUX; l < LANES; l++)
         for (int p = 0; p < CHUNK; p++) w->sums[at + l][p] *= scale;
 }

@@ -84,11 +84,6 @@ static int choose_method(RunSpec *spec, Plan *plan, Fault *fault)
         plan->solver = *s;
         plan->method = &(*s)->info;
     }
-    if (DIM > 2 && plan->setup.method && plan->setup.method->assemble)
-        return fault_set(fault, FAULT_USAGE,
-                         "--method: got '%s', which integrates over cut cells and takes one or two "
-                         "dimensions",
-                         spec->method);
     if (plan->method) return 0;
     return fault_set(fault, FAULT_USAGE,
                      "--method: got '%s', takes a method of %dD; did you mean '%s'?", spec->method,

@@ -50,10 +50,27 @@ static inline void keep_gradient(const Chunk *c, const Field sums[])
             for (int p = 0; p < CHUNK; p++) c->L[a * DIM + b][p] = sums[FLUX + b * DIM + a][p];
 }
 
+/* Column k of F += dt L F in space: by what it adds, as its own three fields are no others. */
+static inline void deform_column(const Chunk *c, const Field sums[], double dt, int k)
+{
+    Field more[DIM];
+    const double *column[DIM];
+    for (int b = 0; b < DIM; b++) column[b] = c->F[b * DIM + k];
+    for (int a = 0; a < DIM; a++)
+        for (int p = 0; p < CHUNK; p++) {
+            double sum = 0;
+            for (int b = 0; b < DIM; b++) sum += sums[FLUX + b * DIM + a][p] * column[b][p];
+            more[a][p] = dt * sum;
+        }
+    for (int a = 0; a < DIM; a++)
+        for (int p = 0; p < CHUNK; p++) c->F[a * DIM + k][p] += more[a][p];
+}
+
 /* F += dt L F */
 static inline void deform(const Chunk *c, const Field sums[], double dt)
 {
-    for (int p = 0; p < CHUNK; p++) {
+    for (int k = 0; DIM == 3 && k < DIM; k++) deform_column(c, sums, dt, k);
+    for (int p = 0; DIM < 3 && p < CHUNK; p++) {
         double F[NMAT];
         for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
         for (int a = 0; a < DIM; a++)

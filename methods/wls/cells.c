@@ -5,54 +5,6 @@
 #include <math.h>
 #include <string.h>
 #include "wls.h"
-#include "common/base/polygon.h"
-
-/* The part of a line where the distance is positive: one point, or two of Gauss. */
-static int line_points(const double d[2], bool exact, double x[][2], double weight[])
-{
-    if (!(d[0] > 0) && !(d[1] > 0)) return 0;
-    const double cut = d[0] / (d[0] - d[1]);
-    const double from = d[0] > 0 ? 0 : cut, to = d[1] > 0 ? 1 : cut;
-    const double middle = 0.5 * (from + to), half = 0.5 * (to - from) / sqrt(3);
-    const int n = exact ? 2 : 1;
-    for (int q = 0; q < n; q++) {
-        x[q][0] = middle + (exact ? (2 * q - 1) * half : 0);
-        weight[q] = (to - from) / n;
-    }
-    return n;
-}
-
-static int square_points(const double d[4], const Curved *curved, bool exact, double x[][2],
-                         double weight[])
-{
-    Polygon piece[MAX_PIECES];
-    int n = 0;
-    const int pieces = polygon_pieces(d, curved, piece);
-    for (int k = 0; k < pieces; k++) {
-        const double area = polygon_area(&piece[k], x[n]);
-        if (!(area > 0)) continue;
-        weight[n] = area;
-        n += exact ? polygon_points(&piece[k], x + n, weight + n) : 1;
-    }
-    return n;
-}
-
-int wls_cell_points(const double distance[CORNERS], const Bend *bend, bool exact,
-                    double xi[MAX_POINTS][DIM], double weight[MAX_POINTS])
-{
-    double x[MAX_POINTS][2] = {{0}}, d[4] = {-1, -1, -1, -1};
-    Curved curved = {{0}, {{0}}};
-    for (int k = 0; k < 4 && k < CORNERS; k++) {
-        d[k] = distance[k];
-        if (bend) curved.kappa[k] = bend[k].kappa;
-        for (int a = 0; a < 2 && bend; a++) curved.normal[k][a] = bend[k].normal[a % DIM];
-    }
-    const int n = DIM == 1 ? line_points(d, exact, x, weight)
-                           : square_points(d, bend ? &curved : NULL, exact, x, weight);
-    for (int q = 0; q < n; q++)
-        for (int a = 0; a < DIM; a++) xi[q][a] = x[q][a % 2];
-    return n;
-}
 
 static const double centre[3] = {0.5, 0.5, 0.5};
 
@@ -234,16 +186,12 @@ bool wls_mirrored_cell(const Grid *g, int axis, int i)
     return false;
 }
 
-/* The cells whose first node lies in `row`. */
-static inline void take_row(Sim *sim, int row, Task task)
+bool wls_cell_row(const Grid *g, int row, CellRow *out)
 {
-    const Grid *g = &sim->g;
-    Wls *w = wls_of(sim);
-    size_t offset[CORNERS];
-    int lo = g->lo[row], hi = g->hi[row], rest = row;
-    Middle middle;
+    int rest = row;
+    *out = (CellRow){.lo = g->lo[row], .hi = g->hi[row]};
     for (int d = 1; d < DIM; d++) {
-        if (rest % g->n[d] + 1 >= g->n[d] || wls_mirrored_cell(g, d, rest % g->n[d])) return;
+        if (rest % g->n[d] + 1 >= g->n[d] || wls_mirrored_cell(g, d, rest % g->n[d])) return false;
         rest /= g->n[d];
     }
     for (int k = 0; k < CORNERS; k++) {
@@ -252,17 +200,28 @@ static inline void take_row(Sim *sim, int row, Task task)
             up += (k >> d & 1) * stride;
             stride *= g->n[d];
         }
-        offset[k] = (size_t)up * (size_t)g->n[0] + (size_t)(k & 1);
-        lo = g->lo[row + up] > lo ? g->lo[row + up] : lo;
-        hi = g->hi[row + up] < hi ? g->hi[row + up] : hi;
+        out->offset[k] = (size_t)up * (size_t)g->n[0] + (size_t)(k & 1);
+        out->lo = g->lo[row + up] > out->lo ? g->lo[row + up] : out->lo;
+        out->hi = g->hi[row + up] < out->hi ? g->hi[row + up] : out->hi;
     }
+    return true;
+}
+
+/* The cells whose first node lies in `row`. */
+static inline void take_row(Sim *sim, int row, Task task)
+{
+    const Grid *g = &sim->g;
+    Wls *w = wls_of(sim);
+    CellRow cells;
+    Middle middle;
+    if (!wls_cell_row(g, row, &cells)) return;
     shape_at(centre, &middle.shape);
     row_lanes(centre, 2.0 / 3, middle.row);
-    for (int i = lo; lo < hi && i + 1 < hi; i++) {
+    for (int i = cells.lo; i < cells.hi && i + 1 < cells.hi; i++) {
         size_t corner[CORNERS];
         int mask = 0;
         for (int k = 0; k < CORNERS; k++) {
-            corner[k] = (size_t)row * (size_t)g->n[0] + (size_t)i + offset[k];
+            corner[k] = (size_t)row * (size_t)g->n[0] + (size_t)i + cells.offset[k];
             mask |= (w->distance[corner[k]] > 0) << k;
         }
         if (mask && !wls_mirrored_cell(g, 0, i))

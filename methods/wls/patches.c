@@ -1,55 +1,90 @@
-/* patches.c: the material's shape on the grid as polygons: full cells and the pieces of cut
- * ones, as the last step integrated them (W11 3.3, fig 1). In two dimensions; none in others. */
+/* patches.c: the material's shape on the grid as polygons, in 3D as the faces of polyhedra: full
+ * cells and the pieces of cut ones, as the last step integrated them (W11 3.3, fig 1). */
 #include "wls.h"
 #include "common/base/polygon.h"
 
-static void show_polygon(const Sim *sim, const int cell[DIM], const Polygon *p, bool cut,
-                         PatchVisit *visit, void *own)
+/* A cell that is shown. */
+typedef struct Shown {
+    const Sim *sim;
+    int index[DIM];
+    PatchVisit *visit;
+    void *own;
+} Shown;
+
+static void show(const Shown *s, Patch *patch, const double (*x)[3])
 {
-    Patch patch = {.sides = p->n, .cut = cut};
-    for (int k = 0; k < p->n; k++)
+    for (int k = 0; k < patch->sides; k++)
         for (int d = 0; d < DIM; d++)
-            patch.corner[k][d] = (cell[d] + sim->g.origin[d] + p->x[k][d % 2]) * sim->dx;
-    visit(own, &patch);
+            patch->corner[k][d] = (s->index[d] + s->sim->g.origin[d] + x[k][d]) * s->sim->dx;
+    s->visit(s->own, patch);
+    patch->face++;
 }
 
-/* The cell above node `at`, whose neighbour along axis 1 is `up` nodes on. */
-static void show_cell(const Sim *sim, const int cell[DIM], size_t at, size_t up, PatchVisit *visit,
-                      void *own)
+static void show_square(const Shown *s, const double distance[CORNERS], const Bend *bend, bool cut)
 {
-    static const Polygon whole = {4, false, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-    const double *distance = wls_of(sim)->distance;
-    const double d[4] = {distance[at], distance[at + 1], distance[at + up], distance[at + up + 1]};
+    double d[4];
     Polygon piece[MAX_PIECES];
     Curved curved = {{0}, {{0}}};
-    if (d[0] > 0 && d[1] > 0 && d[2] > 0 && d[3] > 0) {
-        show_polygon(sim, cell, &whole, false, visit, own);
-        return;
-    }
-    const Bend *bend = wls_of(sim)->bend;
-    for (int k = 0; k < 4 && bend; k++) {
-        const Bend *b = &bend[at + (size_t)(k & 1) + (k > 1 ? up : 0)];
-        curved.kappa[k] = b->kappa;
-        for (int a = 0; a < 2; a++) curved.normal[k][a] = b->normal[a % DIM];
+    for (int k = 0; k < 4; k++) {
+        d[k] = distance[k % CORNERS];
+        if (bend) curved.kappa[k] = bend[k % CORNERS].kappa[0];
+        for (int a = 0; a < 2 && bend; a++) curved.normal[k][a] = bend[k % CORNERS].normal[a % DIM];
     }
     const int pieces = polygon_pieces(d, bend ? &curved : NULL, piece);
-    for (int k = 0; k < pieces; k++) show_polygon(sim, cell, &piece[k], true, visit, own);
+    for (int k = 0; k < pieces; k++) {
+        double x[MAX_SIDES][3] = {{0}};
+        Patch patch = {.sides = piece[k].n, .cut = cut};
+        for (int j = 0; j < piece[k].n; j++)
+            for (int a = 0; a < 2; a++) x[j][a] = piece[k].x[j][a];
+        show(s, &patch, (const double(*)[3])x);
+    }
+}
+
+/* Sides of the cube are flat; faces of the surface are triangles about an apex. */
+static void show_cube(const Shown *s, const double distance[CORNERS], const Bend *bend, bool cut)
+{
+    Polyhedron p;
+    Patch patch = {.cut = cut};
+    wls_cell_shape(distance, bend, &p);
+    for (const Face *f = p.face; f < p.face + p.faces; f++) {
+        double x[MAX_FACE_SIDES][3];
+        const int triangles = f->cut ? f->sides : 1;
+        for (int t = 0; t < triangles; t++) {
+            patch.sides = f->cut ? 3 : f->sides;
+            for (int k = 0; k < patch.sides; k++)
+                for (int a = 0; a < 3; a++)
+                    x[k][a] = f->cut && k == 2 ? f->apex[a] : p.x[f->vertex[(t + k) % f->sides]][a];
+            show(s, &patch, (const double(*)[3])x);
+        }
+    }
+}
+
+static void show_cell(const Shown *s, size_t at, const size_t offset[CORNERS])
+{
+    const Wls *w = wls_of(s->sim);
+    double d[CORNERS];
+    Bend bend[CORNERS];
+    int inside = 0;
+    for (int k = 0; k < CORNERS; k++) {
+        d[k] = w->distance[at + offset[k]];
+        if (w->bend) bend[k] = w->bend[at + offset[k]];
+        inside += d[k] > 0;
+    }
+    (DIM < 3 ? show_square : show_cube)(s, d, w->bend ? bend : NULL, inside < CORNERS);
 }
 
 void wls_patches(const Sim *sim, PatchVisit *visit, void *own)
 {
     const Grid *g = &sim->g;
-    for (int row = 0; DIM == 2 && row + 1 < g->rows; row++) {
-        const int lo = g->lo[row] > g->lo[row + 1] ? g->lo[row] : g->lo[row + 1];
-        const int hi = g->hi[row] < g->hi[row + 1] ? g->hi[row] : g->hi[row + 1];
-        int cell[DIM] = {0};
-        cell[DIM - 1] = row;
-        if (wls_mirrored_cell(g, DIM - 1, row)) continue;
-        for (int i = lo; i < hi - 1; i++) {
-            cell[0] = i;
+    Shown s = {sim, {0}, visit, own};
+    CellRow cells;
+    for (int row = 0; DIM > 1 && row < g->rows; row++) {
+        if (g->lo[row] >= g->hi[row] || !wls_cell_row(g, row, &cells)) continue;
+        for (int d = 1, rest = row; d < DIM; d++) s.index[d] = rest % g->n[d], rest /= g->n[d];
+        for (int i = cells.lo; i < cells.hi - 1; i++) {
+            s.index[0] = i;
             if (!wls_mirrored_cell(g, 0, i))
-                show_cell(sim, cell, (size_t)row * (size_t)g->n[0] + (size_t)i, (size_t)g->n[0],
-                          visit, own);
+                show_cell(&s, (size_t)row * (size_t)g->n[0] + (size_t)i, cells.offset);
         }
     }
 }

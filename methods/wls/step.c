@@ -33,6 +33,7 @@ bool wls_make(Sim *sim)
         2 * sim->setup->ppc / (double)CORNERS; /* the paper's 2, at its two particles an axis */
     const double denser = sim->method.surface_per_cell / pow(sim->setup->ppc, 1.0 / DIM);
     w->surface_beta = denser > 0 ? 1 / denser : 1;
+    for (int d = 2; d < DIM && denser > 0; d++) w->surface_beta /= denser;
     w->fit = nodes_of(n, sizeof *w->fit);
     w->skin = nodes_of(n, sizeof *w->skin);
     w->skinned = calloc(n + 1, sizeof *w->skinned);

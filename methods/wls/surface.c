@@ -92,53 +92,11 @@ static double mean_distance(const Sim *sim, const int index[DIM], const Line ski
     return dot < 0 ? sqrt(square) : -sqrt(square);
 }
 
-/* Mean outward normal and curvature from the surface sums of a node; false: no curvature is known.
- * With <.> the S-weighted mean and t normal to nbar = <n>/|<n>|:
- *   sb = <r.t>,  s2 = <(r.t)^2> - sb^2,  kappa = <(r.t)(n.t)>/s2. Planes only. */
-static bool find_bend(const Line skin[2], Bend *out)
-{
-    *out = (Bend){{0}, 0};
-    if (DIM != 2 || !(skin[0][K_ONE] > 0)) return false;
-    const double scale = 1 / skin[0][K_ONE], nx = skin[0][K_NORMAL] * scale,
-                 ny = skin[0][K_NORMAL + DIM - 1] * scale, length = hypot(nx, ny);
-    if (!(length >= 0.9)) return false; /* an edge, or two surfaces */
-    const double t[2] = {-ny / length, nx / length};
-    double sb = 0, s2 = 0, turn = 0;
-    for (int d = 0; d < DIM; d++) {
-        sb += scale * skin[0][K_FIRST + d] * t[d % 2];
-        for (int e = 0; e < DIM; e++) {
-            s2 += scale * skin[1][K_RR + pair(d, e)] * t[d % 2] * t[e % 2];
-            turn += scale * skin[1][K_RN + d * DIM + e] * t[d % 2] * t[e % 2];
-        }
-    }
-    s2 -= sb * sb;
-    out->normal[0] = nx / length;
-    out->normal[DIM - 1] = ny / length;
-    if (!(s2 >= 1e-3) || !(fabs(turn) <= 0.3 * s2)) return false; /* one point; rough */
-    out->kappa = turn / s2;
-    return true;
-}
-
-/* d = [<r.n_p> + <r>.nbar]/2 - kappa sb^2/2: both means of a circle's distance, whose second-order
- * parts all but cancel; the plain mean along normals where there is no curvature. */
-static double curved_distance(const Line skin[2], Bend *bend)
-{
-    const double along = skin[0][K_ALONG] / skin[0][K_ONE];
-    if (!find_bend(skin, bend)) return along;
-    double r[DIM], mean = 0;
-    for (int d = 0; d < DIM; d++) {
-        r[d] = skin[0][K_FIRST + d] / skin[0][K_ONE];
-        mean += r[d] * bend->normal[d];
-    }
-    const double sb = r[DIM - 1] * bend->normal[0] - r[0] * bend->normal[DIM - 1];
-    return 0.5 * (along + mean) - 0.5 * bend->kappa * sb * sb;
-}
-
 static double distance_by_points(const Sim *sim, const int index[DIM], size_t at)
 {
     const Wls *w = sim->own;
     const Line *skin = w->skin[at];
-    if (w->bend) return curved_distance(skin, &w->bend[at]);
+    if (w->bend) return wls_curved_distance(skin, &w->bend[at]);
     return w->distance_by == DISTANCE_NORMALS ? skin[0][K_ALONG] / skin[0][K_ONE]
                                               : mean_distance(sim, index, skin[0]);
 }
@@ -151,7 +109,7 @@ void wls_distances(Sim *sim, int row, double t)
     for (int d = 1; d < DIM; d++) index[d] = rest % g->n[d], rest /= g->n[d];
     for (index[0] = g->lo[row]; index[0] < g->hi[row]; index[0]++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)index[0];
-        if (w->bend) w->bend[at] = (Bend){{0}, 0};
+        if (w->bend) w->bend[at] = (Bend){{0}, {0}};
         double d = w->fit[at][FIT_MOMENTS][M_BETA] > w->inside ? 1 : -1;
         if (w->distance_by == DISTANCE_EXACT)
             d = sim_distance(sim, index, t);

@@ -4,7 +4,9 @@
  *   wls/fold.c      symmetry lines
  *   wls/fit.c       planes from them (eqs 10-12)
  *   wls/surface.c   signed distance of nodes from flagged surface points (eqs 13-17)
- *   polygon.c   marching squares: the shape of a cut cell (eq 18)
+ *   wls/bend.c      distance and curvature of curved surfaces
+ *   polygon.c, polyhedron.c, solid.c  marching squares and cubes: the shape of a cut cell (eq 18)
+ *   wls/points.c    its integration points
  *   wls/cells.c     integrals over full and cut cells (eqs 19-24)
  *   wls/inertia.c   accelerations towards the consistent mass matrix
  *   wls/velocity.c  velocities that get back what fit and return filter
@@ -24,6 +26,7 @@
 #ifndef MPMLAB_WLS_H
 #define MPMLAB_WLS_H
 
+#include "common/base/polyhedron.h"
 #include "common/core/sim.h"
 
 /* Parameters of wls, wls2 and ge_wls, in the order of their lists. */
@@ -99,9 +102,10 @@ static inline int pair(int d, int e)
 }
 
 /* The surface near a node: mean outward normal, and curvature [1/cell] (> 0: convex), 0 where its
- * points do not tell. */
+ * points do not tell; in 3D its tensor. */
+enum { BENDS = IN_THIS_DIM(1, 1, PAIRS) };
 typedef struct Bend {
-    double normal[DIM], kappa;
+    double normal[DIM], kappa[BENDS];
 } Bend;
 
 typedef struct Wls {
@@ -152,6 +156,9 @@ bool wls_solve(Line fit[FIT], bool near, double hermite);
 /* Surface point p of a chunk to the surface sums of its 2^DIM nodes. */
 void wls_skin_point(Sim *sim, const Chunk *c, int p);
 
+/* Signed distance of a node from a curved surface, and its curvature, by its surface sums. */
+double wls_curved_distance(const Line skin[2], Bend *bend);
+
 /* Signed distances, and bends, of the live nodes of one row. */
 void wls_distances(Sim *sim, int row, double t);
 
@@ -164,9 +171,20 @@ bool wls_mirrored_cell(const Grid *g, int axis, int i);
 /* Points and weights (fractions of a cell) that integrate over the part of a cell where the
  * distance, given at its corners (bit d of the number: far side of axis d), is positive; `bend` of
  * the corners, or NULL: straight. Returns their number. */
-enum { MAX_POINTS = 18 };
+enum { MAX_POINTS = IN_THIS_DIM(18, 18, 192) };
 int wls_cell_points(const double distance[CORNERS], const Bend *bend, bool exact,
                     double xi[MAX_POINTS][DIM], double weight[MAX_POINTS]);
+
+/* In 3D: the shape itself. */
+void wls_cell_shape(const double distance[CORNERS], const Bend *bend, Polyhedron *out);
+
+/* Cells whose first node lies in a row and whose nodes are all live, lo <= i < hi - 1; offsets of
+ * their corners from that node. False: there are none. */
+typedef struct CellRow {
+    size_t offset[CORNERS];
+    int lo, hi;
+} CellRow;
+bool wls_cell_row(const Grid *g, int row, CellRow *out);
 
 /* Products of M over the same points with the factors in `inertia`, and its rows. */
 void wls_mass_times(Sim *sim);

@@ -1,6 +1,7 @@
 /* sweep.c: see sweep.h. Case k has the digits of k as its values, the last axis running fastest. */
 #include "sweep.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "common/base/info.h"
@@ -74,6 +75,15 @@ void sweep_title(const Sweep *s, int k, char text[256])
                                *name ? " " : "", sweep_value(s, a, k));
     }
     if (!text[0]) snprintf(text, 256, "%s", s->problem);
+}
+
+double sweep_asked_ppc(const Sweep *s, int k)
+{
+    double ppc = NAN;
+    for (int a = 0; a < s->across; a++)
+        if (strcmp(s->axis[a].name, "ppc") == 0 && s->axis[a].list.n > 1)
+            info_number_parse(sweep_value(s, a, k), &ppc);
+    return ppc;
 }
 
 /* ---- Which combinations can be run */

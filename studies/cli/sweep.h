@@ -42,6 +42,9 @@ const char *sweep_value(const Sweep *sweep, int a, int k);
 /* What combination k has that other curves have not: "gimp; cfl 0.1". */
 void sweep_title(const Sweep *sweep, int k, char text[256]);
 
+/* Particles per cell that case k was asked for; NAN if they are no axis or run along the curves. */
+double sweep_asked_ppc(const Sweep *s, int k);
+
 /* Finds the combinations that can be run. Others (a method with an integrator it is unstable with)
  * are left out, and each reason is written on `notes`. A fault with code 2: none is left, or a
  * word is refused in every combination and by itself. */

@@ -1,5 +1,6 @@
 /* sweep_command.c: `sweep`: lists of run options into a study of its own, without a page of C. */
 #include <string.h>
+#include <unistd.h>
 #include "cli.h"
 #include "studies/runs/engines.h"
 #include "studies/engine/plot.h"
@@ -160,6 +161,8 @@ static int run_sweep(SweepArgs *args, Fault *fault)
         fputs("mpmlab: gnuplot is not installed: no figure drawn\n", stderr);
     else if (code)
         return code;
+    else if (args->options.action != STUDY_LIST && isatty(STDERR_FILENO))
+        fprintf(stderr, "mpmlab: figure %s/%s.svg\n", args->options.dir, args->name);
     return args->options.action == STUDY_LIST ? 0 : print_orders(args, fault);
 }
 

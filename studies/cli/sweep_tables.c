@@ -156,6 +156,16 @@ static Order order_of(const Curves *c, const Part *p)
     return o;
 }
 
+typedef struct Range {
+    double low, high; /* NAN both of nothing */
+} Range;
+
+static void widen(Range *r, double value)
+{
+    r->low = fmin(r->low, value); /* fmin and fmax pass over NAN */
+    r->high = fmax(r->high, value);
+}
+
 static void number(FILE *f, double x, const char *after)
 {
     if (isfinite(x)) fprintf(f, "%.10g", x);
@@ -173,13 +183,28 @@ static void write_curves(FILE *f, const Curves *c)
         }
 }
 
+/* The values that a curve's runs share, as asked for; where another number of particles fits into
+ * the body, that number per cell, too. */
+static void curve_title(const Curves *c, const Part *p, char text[256])
+{
+    const int first = c->sweep->choice[p->first];
+    const double ppc = sweep_asked_ppc(c->sweep, first);
+    Range real = {NAN, NAN};
+    snprintf(text, 256, "%s", c->sweep->problem);
+    if (c->sweep->across >= 0) sweep_title(c->sweep, first, text);
+    for (int row = p->first; row < p->first + p->n; row++)
+        widen(&real, select_number(c->rows, row, "ppc"));
+    const size_t at = strlen(text);
+    if (fmax(fabs(real.low - ppc), fabs(real.high - ppc)) > 1e-9)
+        snprintf(text + at, 256 - at, ", really %.4g to %.4g", real.low, real.high);
+}
+
 static void write_orders(FILE *f, const Curves *c)
 {
     char text[256];
     for (Part p = {0}; next_part(c, &p);) {
         const Order o = order_of(c, &p);
-        snprintf(text, sizeof text, "%s", c->sweep->problem);
-        if (c->sweep->across >= 0) sweep_title(c->sweep, c->sweep->choice[p.first], text);
+        curve_title(c, &p, text);
         fprintf(f, "%d,", p.series);
         table_put_cell(f, text);
         fprintf(f, ",%s,%s,%d,%d,", c->x, c->y, p.n, o.lost);
@@ -191,17 +216,6 @@ static void write_orders(FILE *f, const Curves *c)
             fputs("\"\"", f); /* gnuplot reads an empty last cell as part of another */
         putc('\n', f);
     }
-}
-
-/* From the least to the largest; NAN both of nothing. */
-typedef struct Range {
-    double low, high;
-} Range;
-
-static void widen(Range *r, double value)
-{
-    r->low = fmin(r->low, value); /* fmin and fmax pass over NAN */
-    r->high = fmax(r->high, value);
 }
 
 /* Of x, and of |y| above 0 in finished runs. */

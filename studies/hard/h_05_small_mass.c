@@ -201,22 +201,22 @@ static Measure off_root(const Table *t, const char *what, int dim, const char *m
     return worst;
 }
 
-/* Of a method in 1D, over all places. */
-static Measure smallest(const Table *t, const char *what, const char *method)
+/* Of a method in 1D or 2D, over all places. */
+static Measure smallest(const Table *t, const char *what, int dim, const char *method)
 {
     Curve curve;
-    Measure out = measure_min_of(EDGES * DEPTHS);
-    curve_pick(&curve, t, "depth", what, "dim=1 method=%s", method);
+    Measure out = measure_min_of(EDGES * (dim == 1 ? DEPTHS : 2));
+    curve_pick(&curve, t, "depth", what, "dim=%d method=%s", dim, method);
     for (int k = 0; k < curve.n; k++) measure_add_min(&out, curve.y[k]);
     return out;
 }
 
-static void check(Check *check, const Results *r)
+static const char forgets[] =
+    "2/omega is what a grid that keeps its velocities allows; a node that is projected anew each "
+    "step forgets its own, and its limit is 1/sqrt(2) of that";
+
+static void check_tents(Check *check, const Table *points, const Table *omega)
 {
-    static const char forgets[] =
-        "2/omega is what a grid that keeps its velocities allows; a node that is projected anew "
-        "each step forgets its own, and its limit is 1/sqrt(2) of that";
-    const Table *points = results_part(r, "points"), *omega = results_part(r, "omega");
     claim(check, "H-5.tent-omega",
           "Tents: 2/omega_max of M^-1 K is 2 sqrt(eps/h) h/c if the last particle lies eps inside "
           "a cell: largest relative deviation",
@@ -236,20 +236,38 @@ static void check(Check *check, const Results *r)
           "GE-MPM, whose particles return the node's velocity to it: the critical step is 2 "
           "sqrt(eps/h) h/c: largest relative deviation",
           off_root(points, "critical", 1, "ge_mpm", 2), 0, 0.1);
+}
+
+static void check_floors(Check *check, const Table *points, const Table *omega)
+{
     claim(check, "H-5.gimp-omega",
           "GIMP: 2/omega_max of M^-1 K does not fall below a floor however small the node's mass "
           "[h/c]",
-          smallest(omega, "two_over_omega", "gimp"), 0.76, 0.84);
+          smallest(omega, "two_over_omega", 1, "gimp"), 0.76, 0.84);
     claim_differs(check, "H-5.gimp",
                   "GIMP: the critical step does not fall below that floor of 2/omega_max [h/c]",
-                  smallest(points, "critical", "gimp"), 0.76, 0.84, 0.56, 0.76, forgets);
+                  smallest(points, "critical", 1, "gimp"), 0.76, 0.84, 0.56, 0.76, forgets);
     claim(check, "H-5.bspline-omega",
           "B-splines: 2/omega_max of M^-1 K does not fall below a floor higher than GIMP's [h/c]",
-          smallest(omega, "two_over_omega", "bspline"), 0.9, 1);
+          smallest(omega, "two_over_omega", 1, "bspline"), 0.9, 1);
     claim_differs(
         check, "H-5.bspline",
         "B-splines: the critical step does not fall below that floor of 2/omega_max [h/c]",
-        smallest(points, "critical", "bspline"), 0.9, 1, 0.66, 0.9, forgets);
+        smallest(points, "critical", 1, "bspline"), 0.9, 1, 0.66, 0.9, forgets);
+    claim(check, "H-5.ge_wls",
+          "GE-WLS, 1D: least critical step wherever its surface lies [h/c] (own measurement)",
+          smallest(points, "critical", 1, "ge_wls"), 0.55, 1);
+    claim(check, "H-5.ge_wls-plane",
+          "GE-WLS, 2D, P waves: least critical step wherever its surface lies [h/c] (own "
+          "measurement)",
+          smallest(points, "critical", 2, "ge_wls"), 0.55, 1);
+}
+
+static void check(Check *check, const Results *r)
+{
+    const Table *points = results_part(r, "points"), *omega = results_part(r, "omega");
+    check_tents(check, points, omega);
+    check_floors(check, points, omega);
 }
 
 const Study study_h_05_small_mass = {
@@ -261,5 +279,5 @@ const Study study_h_05_small_mass = {
     .refine = refine,
     .tables = tables,
     .check = check,
-    .claims = 9,
+    .claims = 11,
 };

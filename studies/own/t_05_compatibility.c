@@ -149,7 +149,7 @@ static void check(Check *c, const Results *r)
           drift(r->rows, "mpm", "usl"), -0.25, -0.15);
     claim_differs(c, "T-5.tent-uvf", "MPM keeps the energy with uvf: relative change",
                   drift(r->rows, "mpm", "uvf"), -0.005, 0.005, -0.03, 0.03,
-                  "how much is luck of round-off: tents cross cells");
+                  "-1.6 % here; how much is luck of round-off: tents cross cells");
     claim(c, "T-5.tent-usf",
           "MPM gains some energy with usf (how much depends on round-off): relative change",
           drift(r->rows, "mpm", "usf"), 0.01, 1);

@@ -53,7 +53,8 @@ static Measure momentum_error(const Results *r)
     int rows = 0;
     for (int k = 0; k < 2; k++) {
         Table *t = results_file(r, parts[k]);
-        for (int row = 0; t && row < t->nrow; row++, rows++)
+        if (!t) return measure(NAN, 0, 1);
+        for (int row = 0; row < t->nrow; row++, rows++)
             sum[k] += select_number(t, row, "mass") * select_number(t, row, "vx");
         table_free(t);
     }

@@ -152,7 +152,8 @@ static void check(Check *c, const Results *r)
 const Study study_w07_15_plate = {
     .name = "w07_15_plate",
     .figure = "W07-15",
-    .about = "plate vibration: convergence in h of MPM, GIMP and GE-GIMP, two amplitudes",
+    .about =
+        "plate vibration: convergence in h of MPM (uvf), GIMP and GE-GIMP (cd), two amplitudes",
     .cases = cases,
     .check = check,
     .claims = 17,

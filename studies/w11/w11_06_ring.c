@@ -210,7 +210,7 @@ static void check(Check *c, const Results *r)
 const Study study_w11_06_ring = {
     .name = "w11_06_ring",
     .figure = "W11-6",
-    .about = "ring: convergence in space and in time, every method and FEM",
+    .about = "ring: convergence in space and in time, every method (cd; MPM: uvf) and FEM",
     .cases = cases,
     .check = check,
     .claims = 25,

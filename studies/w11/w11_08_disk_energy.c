@@ -155,7 +155,7 @@ static void check(Check *c, const Results *r)
 const Study study_w11_08_disk_energy = {
     .name = "w11_08_disk_energy",
     .figure = "W11-8",
-    .about = "disk: kinetic, strain and total energy through two impacts, every method",
+    .about = "disk: energies through two impacts, every method (cd; MPM: uvf)",
     .cases = cases,
     .tables = tables,
     .check = check,

@@ -162,7 +162,8 @@ static void check(Check *c, const Results *r)
 const Study study_w11_10_hole_stress = {
     .name = "w11_10_hole_stress",
     .figure = "W11-10",
-    .about = "plate with hole: von Mises stress along the hole, every method, and fine FEM",
+    .about =
+        "plate with hole: von Mises stress along the hole, every method (cd; MPM: uvf), fine FEM",
     .cases = cases,
     .tables = tables,
     .check = check,

@@ -16,24 +16,28 @@ static Row run(const Case *c, const char *method, Integrator i, const char *more
 }
 
 /* Scenes where walls, symmetry lines or body forces push. */
-static const Case pushed[] = {
-    {1, "bar", 20, 2, 0, NULL},        {1, "sine_bar", 20, 2, 0, NULL},
-    {1, "free_block", 32, 2, 0, NULL}, {2, "plate_vibration", 8, 4, 0, NULL},
-    {2, "ring", 8, 4, 0, NULL},        {2, "free_block", 12, 4, 0, NULL}};
+static const struct {
+    Case scene;
+    double wls;
+} pushed[] = {
+    {{1, "bar", 20, 2, 0, NULL}, 4.8e-3},        {{1, "sine_bar", 20, 2, 0, NULL}, 1e-3},
+    {{1, "free_block", 32, 2, 0, NULL}, 3.2e-4}, {{2, "plate_vibration", 8, 4, 0, NULL}, 1e-12},
+    {{2, "ring", 8, 4, 0, NULL}, 2.6e-3},        {{2, "free_block", 12, 4, 0, NULL}, 6.2e-4}};
 
-/* Momentum is what walls and forces gave: to round-off, for every stable pair in every variant.
- * (WLS: below.) */
+/* Momentum is what walls and forces gave, for every stable pair in every variant: to round-off;
+ * with WLS to what return and repair add (below), a third above the largest measured. The plate is
+ * its own mirror image along both axes, so that they add nothing. */
 static void test_momentum_ledger(void)
 {
     char set[VARIANT_TEXT];
     for (int k = 0; k < COUNT(pushed); k++) FOR_METHODS(m) FOR_INTEGRATORS(i)
         {
-            if (pushed[k].dim != DIM || !rig_valid(*m, i, true) || (*m)->assemble) continue;
+            if (pushed[k].scene.dim != DIM || !rig_valid(*m, i, true)) continue;
             const bool fresh = !rig_valid(*m, i, false);
             for (int v = 0; v < VARIANTS; v++) {
                 if (!rig_variant(*m, v, fresh ? "refresh=1;steps=30" : "steps=30", set)) continue;
-                const Row row = run(&pushed[k], (*m)->info.name, i, set);
-                CU_ASSERT(row.momentum_drift < 1e-12);
+                const Row row = run(&pushed[k].scene, (*m)->info.name, i, set);
+                CU_ASSERT(row.momentum_drift < ((*m)->assemble ? pushed[k].wls : 1e-12));
             }
         }
 }
@@ -46,7 +50,9 @@ static const Case walled[] = {
     {1, "bar", 20, 2, 0, NULL},         {1, "sine_bar", 16, 2, 0, NULL},
     {1, "free_block", 32, 2, 0, NULL},  {2, "axis_mms", 8, 4, 0, NULL},
     {2, "disk_impact", 12, 4, 0, NULL}, {2, "disk_impact", 12, 4, 0, "wall=unilateral"},
-    {2, "hanging_bar", 8, 4, 0, NULL},  {2, "free_block", 12, 4, 0, NULL}};
+    {2, "hanging_bar", 8, 4, 0, NULL},  {2, "free_block", 12, 4, 0, NULL},
+    {3, "ball_impact", 8, 8, 0, NULL},  {3, "axis_mms", 5, 8, 0, "dim=3"},
+    {3, "free_block", 6, 8, 0, "dim=3"}};
 static const char *const kinds[][2] = {{"wls", "trigger=0;allow_unstable=1"},
                                        {"wls2", "trigger=0;allow_unstable=1"},
                                        {"ge_wls", "trigger=0;allow_unstable=1;mass=lumped"},
@@ -147,6 +153,8 @@ static const struct {
     {{2, "ring", 8, 4, 0, NULL}, 3.5e-3, 1.7e-3, 7.9e-4},
     {{2, "disk_impact", 12, 4, 0, NULL}, 2e-2, 2.8e-2, 3e-2},
     {{2, "free_block", 12, 4, 0, NULL}, 1e-3, 1.45e-3, 9.6e-4},
+    {{3, "shell", 8, 8, 0, NULL}, 7.3e-3, 6e-3, 4.6e-3},
+    {{3, "axis_mms", 6, 8, 0, "dim=3"}, 8.7e-3, 2.2e-2, 2.2e-2},
 };
 
 static void test_wls_momentum(void)

@@ -51,11 +51,12 @@ static double momentum_of(const double *s, int n, Vec out)
     return size;
 }
 
+/* To round-off where nodes are sums over particles. WLS's are integrals: the body gains dt sum_i
+ * (M_i - m_i) a_i (wls.h), at most 4.4e-6 and 5.5e-5 of sum m |v| here; a third more is allowed. */
 static void check_momentum(Rig *r)
 {
     Vec before, after;
-    if (r->plan.setup.method->assemble)
-        return; /* integrals over cells keep it to their own error */
+    const double share = r->plan.setup.method->assemble ? IN_THIS_DIM(5.8e-6, 7.3e-5, 0) : 1e-12;
     Sim *sim = rig_sim(r);
     const int n = sim->p.count;
     double *start = rig_state(sim);
@@ -65,11 +66,10 @@ static void check_momentum(Rig *r)
     CU_ASSERT(steps == 20 || (steps >= 5 && m->keeps_L && !m->smooth));
     double *end = rig_state(sim), size = momentum_of(start, n, before);
     momentum_of(end, n, after);
-    for (int d = 0; d < DIM; d++) CHECK_CLOSE(after[d], before[d], 1e-12 * size);
+    for (int d = 0; d < DIM; d++) CHECK_CLOSE(after[d], before[d], share * size);
     CU_ASSERT(rig_distance(start, end, n, false) > 1e-3); /* it did move */
     for (int k = 0; k < n; k++) CU_ASSERT(start[AT_M * n + k] == end[AT_M * n + k]);
-    free(start), free(end);
-    sim_free(sim);
+    free(start), free(end), sim_free(sim);
 }
 
 static void test_momentum(void)
@@ -78,11 +78,13 @@ static void test_momentum(void)
     for (int k = 0; k < 2; k++) for_cases(&on_nodes[DIM - 1][k], check_momentum);
 }
 
-/* The nodes carry the block's mass, rho times its volume, after any step. */
+/* The nodes carry the block's mass, rho times its volume, after any step. WLS integrates a fitted
+ * density (off by 3e-6 in 1D, 4e-4) over cells cut straight: each corner may lose half of one. */
 static void check_mass(Rig *r)
 {
     Nodes nodes;
-    if (r->plan.setup.method->assemble) return; /* cells round the corners */
+    const double h = r->plan.scene.cell, wls = DIM == 1 ? 5e-6 : 5e-4 + 2 * h * h;
+    const double off = r->plan.setup.method->assemble ? wls : 1e-11; /* empty nodes hold 1e-12 */
     r->plan.setup.snapshot_nodes = true;
     void *core = particle_solver.make(&r->plan.setup, &r->fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(core);
@@ -91,7 +93,7 @@ static void check_mass(Rig *r)
         CU_ASSERT_FATAL(particle_solver.step(core, k * r->dt, r->dt, k == 0).code == OK);
         particle_solver.nodes(core, &nodes);
         for (int i = 0; i < nodes.n; i++) mass += nodes.m[i];
-        CHECK_CLOSE(mass, r->plan.scene.mat.rho, 1e-11); /* a unit block; empty nodes hold 1e-12 */
+        CHECK_CLOSE(mass, r->plan.scene.mat.rho, off); /* a unit block */
     }
     particle_solver.free(core);
 }
@@ -228,8 +230,7 @@ static void check_empty_space(Rig *r)
     for (int k = 0; k < DIM * n; k++) b[AT_X * n + k] -= moved;
     CU_ASSERT(rig_distance(a, b, n, false) < 1e-12); /* positions round off differently */
     CU_ASSERT(small->nodes == large->nodes);
-    free(a), free(b);
-    sim_free(small), sim_free(large);
+    free(a), free(b), sim_free(small), sim_free(large);
 }
 
 static void test_empty_space(void)
@@ -263,8 +264,7 @@ static void check_poison(Rig *r)
     }
     double *a = rig_state(clean), *b = rig_state(dirty);
     CU_ASSERT(memcmp(a, b, sizeof(double) * FIELDS * (size_t)clean->p.count) == 0);
-    free(a), free(b);
-    sim_free(clean), sim_free(dirty);
+    free(a), free(b), sim_free(clean), sim_free(dirty);
 }
 
 static void test_poison(void)

@@ -1,20 +1,26 @@
-/* test_on_nodes.c: tents and particles on nodes: what the rule of common/on_node.c promises.
- * Without it L = -v/h in a body that drifts, and momentum comes from nowhere. (Mirrored bodies,
- * threads: test_invariants.c; walls and symmetry lines: test_twin.c.) */
+/* test_on_nodes.c: tents and particles on nodes: what the rule of common/core/on_node.c promises,
+ * and what WLS does instead. Without it L = -v/h in a body that drifts, and momentum comes from
+ * nowhere. (Mirrored bodies, threads: test_invariants.c; walls and symmetry lines: test_twin.c.) */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "tests/fixture.h"
 
 static const double speed = 100; /* the block's c [m/s] */
+
+/* Whose weights are tents in this dimension; WLS's when it returns with them. */
+static const char *const tents[] = {"mpm", "ge_mpm", "wls", "wls2", "ge_wls"};
+enum { WLS = 2, TENTS = DIM > 2 ? WLS : COUNT(tents) };
 
 /* `set` with a leading '1': one particle a cell. */
 static double *block_state(double cells, const char *method, Integrator i, const char *set,
                            int steps, int *n)
 {
     Rig r;
-    const bool one = set[0] == '1';
+    const bool one = set[0] == '1', wls = strstr(method, "wls");
     const Case c = {DIM, "block", cells, one ? 1 : 0, 0.3, set + one};
-    CU_ASSERT_FATAL(rig_plan(&r, &c, method, i, "allow_unstable=1"));
+    CU_ASSERT_FATAL(
+        rig_plan(&r, &c, method, i, wls ? "allow_unstable=1;return=linear" : "allow_unstable=1"));
     Sim *sim = rig_sim(&r);
     CU_ASSERT(rig_steps(&r, sim, 0, steps));
     double *s = rig_state(sim);
@@ -31,16 +37,16 @@ static void test_drift_on_nodes(void)
     static const char *const set[] = {
         "offset_x=0.25;drift_x=0.1",
         "offset_x=-0.25;drift_x=-0.1;offset_y=0.25",
-        "drift_x=0.8333333333333334;drift_y=-0.8333333333333334",
+        "drift_x=0.8333333333333334;drift_y=-0.8333333333333334;box=5",
         "offset_x=0.2500000000000004;drift_x=1e-13;offset_y=-0.2500000000000004",
         "offset_x=0.2499999;offset_y=0.2499999;drift_x=1e-9;drift_y=0.1",
         "1offset_x=0.5;offset_y=0.5;drift_x=0.1",
     };
     for (int k = 0; k < COUNT(set); k++)
-        for (int ge = 0; ge < 2; ge++) FOR_INTEGRATORS(i)
+        for (int m = 0; m < TENTS; m++) FOR_INTEGRATORS(i)
             {
                 int n;
-                double *s = block_state(4 << (k % 2), ge ? "ge_mpm" : "mpm", i, set[k], 20, &n);
+                double *s = block_state(4 << (k % 2), tents[m], i, set[k], 20, &n);
                 for (int p = 0; p < n; p++) {
                     for (int d = 0; d < NMAT; d++)
                         CHECK_CLOSE(s[(AT_F + d) * n + p], d % (DIM + 1) == 0, 1e-13);
@@ -113,11 +119,57 @@ static void test_linear_on_nodes(void)
         }
 }
 
+/* WLS gives a particle on a node the slope of the cell above it. All nodes of a cell that holds a
+ * particle have velocities, spurious ones by extrapolation (wls: by their mean, which is exact only
+ * in translation), so that this is the motion's, too. F after a step is GE-MPM's, tested above. */
+static void test_wls_linear_on_nodes(void)
+{
+    static const char *const at[] = {"offset_x=0.25", "offset_x=0.25;offset_y=0.25",
+                                     "offset_x=-0.25;offset_y=0.2499999"};
+    for (int k = 0; k < COUNT(at); k++)
+        for (int turn = 0; turn < DIM && TENTS > WLS; turn++)
+            for (int m = WLS + 1; m < TENTS; m++) {
+                int n, others;
+                char set[128];
+                snprintf(set, sizeof set, "%s;%s", at[k], turn ? "spin=0.5" : "rate=0.5");
+                double *want = block_state(8, "ge_mpm", USL, set, 1, &others);
+                double *s = block_state(8, tents[m], USL, set, 1, &n);
+                for (int d = 0; d < NMAT; d++)
+                    for (int p = 0; p < n; p++)
+                        CHECK_CLOSE(s[(AT_F + d) * n + p], want[(AT_F + d) * others], 1e-13);
+                free(s), free(want);
+            }
+}
+
+/* What a stressed block gains in a step is the integrals' error (wls.h), not the node's: it is the
+ * same for a block that lies a little beside, on either side. */
+static void test_wls_stress_on_nodes(void)
+{
+    static const char *const at[] = {"stretch=1.5;offset_y=0.25;offset_x=0.37499999",
+                                     "stretch=1.5;offset_y=0.25;offset_x=0.375",
+                                     "stretch=1.5;offset_y=0.25;offset_x=0.37500001"};
+    for (int m = WLS; m < TENTS; m++) {
+        double gain[COUNT(at)] = {0}, size = 0;
+        for (int k = 0; k < COUNT(at); k++) {
+            int n;
+            double *s = block_state(8, tents[m], USL, at[k], 1, &n);
+            for (int p = 0; p < n; p++) gain[k] += s[AT_M * n + p] * s[AT_V * n + p];
+            for (int p = 0; p < n; p++) size += s[AT_M * n + p] * fabs(s[AT_V * n + p]) / COUNT(at);
+            free(s);
+        }
+        CU_ASSERT(size > 1e-3 * speed);
+        CHECK_CLOSE(gain[0], gain[1], 1e-5 * size);
+        CHECK_CLOSE(gain[2], gain[1], 1e-5 * size);
+    }
+}
+
 static const TestCase tests[] = {
     {"a drifting body", test_drift_on_nodes},
     {"the same, a whole run", test_drift_row},
     {"a stressed body", test_stress_on_nodes},
     {"linear motion", test_linear_on_nodes},
+    {"WLS: linear motion", test_wls_linear_on_nodes},
+    {"WLS: a stressed body", test_wls_stress_on_nodes},
     {NULL, NULL},
 };
 CHECK_SUITE(tests)

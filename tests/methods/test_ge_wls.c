@@ -33,7 +33,7 @@ static double cell_area(double x, double y, double R, bool outside, bool bent, d
         const double away[2] = {(k & 1) - x, (k >> 1) - y}, r = hypot(away[0], away[1]);
         const double sign = outside ? -1 : 1;
         d[k] = sign * (R - r);
-        bend[k] = (Bend){{sign * away[0] / r, sign * away[1] / r}, sign / R};
+        bend[k] = (Bend){{sign * away[0] / r, sign * away[1] / r}, {sign / R}};
     }
     const int n = wls_cell_points(d, bent ? bend : NULL, true, xi, weight);
     first[0] = first[1] = 0;

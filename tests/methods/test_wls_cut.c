@@ -1,25 +1,25 @@
 /* test_wls_cut.c: GE-WLS at cut surfaces: velocities linear in space reach every node; forces of
- * spurious nodes go, with average=folded, to good nodes and to walls, and nowhere else. In one
- * dimension and in two. */
+ * spurious nodes go, with average=folded, to good nodes and to walls, and nowhere else. In every
+ * dimension. */
 #include <string.h>
 #include "common/core/passes.h"
 #include "methods/wls/wls.h"
 #include "tests/fixture.h"
 
-static const Case block = {.dim = DIM, .problem = "block", .cells = 16};
+static const Case block = {.dim = DIM, .problem = "block", .cells = DIM < 3 ? 16 : 6};
 
-/* Off the grid's lines, turned in the plane: all cells of its edge are cut. */
-static const char *const askew =
-    DIM > 1 ? "dim=2;offset_x=.3;offset_y=.2;angle=20" : "dim=1;offset_x=.3";
+/* Off the grid's lines and turned: all cells of its edge are cut. */
+static const char *const askew[] = {"dim=1;offset_x=.3", "dim=2;offset_x=.3;offset_y=.2;angle=20",
+                                    "dim=3;offset_x=.3;offset_y=.2;offset_z=.1;angle=20"};
 
 /* v = (1, ..) + B x reaches every node that a particle sees, whatever is corrected; spurious nodes
  * are among them. */
 static void check_affine(const char *set)
 {
-    static const double B[2][2] = {{0.7, -0.4}, {0.3, 1.1}};
+    static const double B[3][3] = {{0.7, -0.4, 0.2}, {0.3, 1.1, -0.5}, {0.6, -0.2, 0.9}};
     Rig r;
     char both[192];
-    snprintf(both, sizeof both, "layout=radial;%s;%s", askew, set);
+    snprintf(both, sizeof both, "layout=radial;%s;%s", askew[DIM - 1], set);
     CU_ASSERT_FATAL(rig_plan(&r, &block, "ge_wls", CD, both));
     Sim *sim = rig_sim(&r);
     sim_sort(sim);
@@ -39,7 +39,9 @@ static void check_affine(const char *set)
     for (int row = 0; row < g->rows; row++)
         for (int i = g->lo[row]; i < g->hi[row]; i++) {
             const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-            const double x[2] = {(i + g->origin[0]) * dx, (row + g->origin[DIM - 1]) * dx};
+            double x[DIM] = {(i + g->origin[0]) * dx};
+            for (int d = 1, rest = row; d < DIM; d++, rest /= g->n[d - 1])
+                x[d] = (rest % g->n[d] + g->origin[d]) * dx;
             if (!(wls_of(sim)->fit[at][FIT_MOMENTS][M_ONE] > 0)) continue;
             seen++;
             spurious += !wls_of(sim)->good[at];
@@ -134,11 +136,13 @@ static void check_folded(Rig *r, int count[2])
 }
 
 /* Walls, symmetry lines, free bodies; tops held where a free side meets them. */
-static const Case scenes[] = {{1, "sine_bar", 16, 2, 0, NULL},   {1, "bar", 40, 2, 0, NULL},
-                              {1, "column", 19, 2, 0, "dim=1"},  {2, "axis_mms", 8, 4, 0, NULL},
-                              {2, "ring", 8, 4, 0, NULL},        {2, "disk_impact", 12, 4, 0, NULL},
-                              {2, "hanging_bar", 8, 4, 0, NULL}, {2, "column", 11, 4, 0, "dim=2"},
-                              {2, "free_block", 12, 4, 0, NULL}};
+static const Case scenes[] = {
+    {1, "sine_bar", 16, 2, 0, NULL},    {1, "bar", 40, 2, 0, NULL},
+    {1, "column", 19, 2, 0, "dim=1"},   {2, "axis_mms", 8, 4, 0, NULL},
+    {2, "ring", 8, 4, 0, NULL},         {2, "disk_impact", 12, 4, 0, NULL},
+    {2, "hanging_bar", 8, 4, 0, NULL},  {2, "column", 11, 4, 0, "dim=2"},
+    {2, "free_block", 12, 4, 0, NULL},  {3, "shell", 6, 8, 0, NULL},
+    {3, "ball_impact", 10, 8, 0, NULL}, {3, "free_block", 6, 8, 0, NULL}};
 
 static void test_folded(void)
 {

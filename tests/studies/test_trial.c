@@ -16,13 +16,15 @@ static const char dir[] = "scratch/trial";
 
 /* Lists of claims; what ends in a point stands for all that begin so. Of formulas: no run needed.
  */
-static const char *const formulas[] = {"W07-2.",         "W11-2.masks",       "H-5.tent-omega",
-                                       "H-5.gimp-omega", "H-5.bspline-omega", NULL};
+static const char *const formulas[] = {
+    "W07-2.",         "W11-2.masks",    "W11-2.smooth",      "W11-3.circular",
+    "H-5.tent-omega", "H-5.gimp-omega", "H-5.bspline-omega", NULL};
 /* Formulas that are in no table either. */
-static const char *const no_table[] = {"W11-2.masks", NULL};
+static const char *const no_table[] = {"W11-2.masks", "W11-2.smooth", "W11-3.circular", NULL};
 /* That no run is lost (or what one is worth that is): one that is must tell. */
 static const char *const none_lost[] = {"W07-12.gimp-lost",
                                         "W07-12.ge-gimp-lost",
+                                        "W11-6.cell-size",
                                         "W11-10.whole",
                                         "H-1.wls-bar",
                                         "T-1b.lost",
@@ -45,6 +47,8 @@ static const char *const none_lost[] = {"W07-12.gimp-lost",
  * of which there must be so many. */
 static const char *const some_lost[] = {"W07-12.mpm-lost-2",
                                         "W07-12.mpm-lost-5",
+                                        "W07-12.mpm-grown-5",
+                                        "W07-12.mpm-ok-5",
                                         "W07-12.ge-mpm-unstable",
                                         "W07-12.low-ppc",
                                         "T-1.literal",
@@ -64,15 +68,11 @@ static const char *const some_lost[] = {"W07-12.mpm-lost-2",
                                         "H-5.",
                                         NULL};
 /* Those of them that say that all are. */
-static const char *const all_lost[] = {"W07-12.ge-mpm-unstable",
-                                       "T-1.literal",
-                                       "T-4.stale",
-                                       "T-5.stale",
-                                       "T-5.plane-stale",
-                                       "H-7.wls",
-                                       "H-15.vortex-gimp",
-                                       "H-15.bar-gimp",
-                                       NULL};
+static const char *const all_lost[] = {"W07-12.mpm-ok-5", "W07-12.ge-mpm-unstable",
+                                       "T-1.literal",     "T-4.stale",
+                                       "T-5.stale",       "T-5.plane-stale",
+                                       "H-7.wls",         "H-15.vortex-gimp",
+                                       "H-15.bar-gimp",   NULL};
 
 static bool is_one(const char *id, const char *const list[])
 {

@@ -1,0 +1,51 @@
+/* four.h: four numbers at once, for the ways between fields of a chunk and vectors of an element or
+ * particle. */
+#ifndef MPMLAB_FOUR_H
+#define MPMLAB_FOUR_H
+
+#include "dim.h"
+
+enum { FOUR = 4 };
+typedef double Four __attribute__((vector_size(FOUR * sizeof(double)), may_alias));
+
+/* Rows become columns. */
+static inline __attribute__((always_inline)) void four_transpose(Four a[FOUR])
+{
+    const Four lo01 = __builtin_shufflevector(a[0], a[1], 0, 4, 2, 6);
+    const Four hi01 = __builtin_shufflevector(a[0], a[1], 1, 5, 3, 7);
+    const Four lo23 = __builtin_shufflevector(a[2], a[3], 0, 4, 2, 6);
+    const Four hi23 = __builtin_shufflevector(a[2], a[3], 1, 5, 3, 7);
+    a[0] = __builtin_shufflevector(lo01, lo23, 0, 1, 4, 5);
+    a[1] = __builtin_shufflevector(hi01, hi23, 0, 1, 4, 5);
+    a[2] = __builtin_shufflevector(lo01, lo23, 2, 3, 6, 7);
+    a[3] = __builtin_shufflevector(hi01, hi23, 2, 3, 6, 7);
+}
+
+/* Fields to their lanes of a chunk's lines, and back; in 3D four by four. */
+static inline void four_lines_from_fields(Field field[LANES], Line line[CHUNK])
+{
+    for (int l = 0; DIM == 3 && l < LANES; l += FOUR)
+        for (int p = 0; p < CHUNK; p += FOUR) {
+            Four a[FOUR];
+            for (int k = 0; k < FOUR; k++) a[k] = *(const Four *)&field[l + k][p];
+            four_transpose(a);
+            for (int k = 0; k < FOUR; k++) *(Four *)((double *)&line[p + k] + l) = a[k];
+        }
+    for (int p = 0; DIM < 3 && p < CHUNK; p++)
+        for (int l = 0; l < LANES; l++) line[p][l] = field[l][p];
+}
+
+static inline void four_fields_from_lines(const Line line[CHUNK], Field field[LANES])
+{
+    for (int l = 0; DIM == 3 && l < LANES; l += FOUR)
+        for (int p = 0; p < CHUNK; p += FOUR) {
+            Four a[FOUR];
+            for (int k = 0; k < FOUR; k++) a[k] = *(const Four *)((const double *)&line[p + k] + l);
+            four_transpose(a);
+            for (int k = 0; k < FOUR; k++) *(Four *)&field[l + k][p] = a[k];
+        }
+    for (int p = 0; DIM < 3 && p < CHUNK; p++)
+        for (int l = 0; l < LANES; l++) field[l][p] = line[p][l];
+}
+
+#endif

@@ -1,0 +1,203 @@
+/* t_01_parts.c: GE-WLS with one part removed at a time: what each part buys, on seven scenes. The
+ * ring at several meshes beside FEM; then one number per scene, over that of the whole method:
+ *   ring, axis_mms, vortex   largest error
+ *   plate                    rms difference of stress along the hole from a fine FEM mesh's
+ *   disk                     |E/E_0 - 1| at t = 2.3
+ *   block                    velocities that the grid cannot see: sqrt(K/K_0) after 1500 steps
+ *   bar                      momentum drift
+ * Then WLS2 with those parts that end its growth of invisible velocities, and one that does not. */
+#include <math.h>
+#include "studies/tables/grades.h"
+#include "studies/tables/hole.h"
+
+/* The parts, and what stands in their place without them. */
+enum { AVERAGE, DISTANCE, HERMITE, MASS, MOTION, RETURN, VELOCITY, PARTS, WHOLE = -1 };
+static const struct {
+    const char *setting, *with, *without;
+} parts[PARTS] = {
+    [AVERAGE] = {"average", "folded", "weighted"},  [DISTANCE] = {"distance", "curved", "normals"},
+    [HERMITE] = {"hermite", "1000", "0"},           [MASS] = {"mass", "corrected", "lumped"},
+    [MOTION] = {"motion", "consistent", "lagged"},  [RETURN] = {"return", "spline", "linear"},
+    [VELOCITY] = {"velocity", "corrected", "plain"}};
+
+enum { RING, AXIS, VORTEX, PLATE, DISK, BLOCK, BAR, SCENES };
+static const struct {
+    const char *problem, *column, *file, *more; /* a column of the row, or a file beside it */
+    int cells, quick;
+} scenes[SCENES] = {[RING] = {"ring", "error_linf", NULL, "", 32, 8},
+                    [AXIS] = {"axis_mms", "error_linf", NULL, "", 32, 8},
+                    [VORTEX] = {"vortex", "error_linf", NULL, " --set G=0.2 --cfl 0.1", 32, 8},
+                    [PLATE] = {"hole_plate", NULL, "samples", "", 32, 8},
+                    [DISK] = {"disk_impact", NULL, "history", " --t-end 2.3", 48, 12},
+                    [BLOCK] = {"block", NULL, "history",
+                               " --set dim=2 --set ripple=1e-4 --set offset_x=0.3 --set "
+                               "offset_y=0.2",
+                               16, 16},
+                    [BAR] = {"bar", "momentum_drift", NULL, "", 40, 10}};
+
+enum { MESHES = 7, STEPS = 1500, RIM = 30, FINE = 256, CURES = 3 };
+static const int cells[MESHES] = {8, 11, 16, 23, 32, 45, 64};
+static const char *const cures[CURES] = {"velocity=corrected", "return=spline",
+                                         "return=spline --set hermite=1000"};
+
+static const char *part_label(int part)
+{
+    return part == WHOLE ? "all" : parts[part].setting;
+}
+
+static char *file_part(char text[96], int scene, const char *what)
+{
+    snprintf(text, 96, "%s.%s", scenes[scene].problem, what);
+    return text;
+}
+
+/* set: " --set name=value", or "". */
+static void add_scene(Cases *list, int scene, const char *method, const char *what, const char *set,
+                      bool quick)
+{
+    char part[96], end[48] = "", line[320];
+    const int n = quick ? scenes[scene].quick : scenes[scene].cells;
+    if (scene == BLOCK)
+        snprintf(end, sizeof end, " --t-end %.17g",
+                 (quick ? 10 : STEPS) * BLOCK_CFL / (n * BLOCK_SPEED));
+    snprintf(line, sizeof line, "run %s --method %s --cells %d%s%s%s", scenes[scene].problem,
+             method, n, scenes[scene].more, end, set);
+    if (scenes[scene].file)
+        case_add_with(list, scenes[scene].file, file_part(part, scene, what), "%s", line);
+    else
+        case_add(list, "%s", line);
+}
+
+static void cases(Cases *list, bool quick)
+{
+    char what[64], set[64] = "";
+    case_add_with(list, "samples", "reference", "run hole_plate --method fem --cells %d",
+                  quick ? 32 : FINE);
+    for (int k = 0; k < (quick ? 2 : MESHES); k++)
+        case_add(list, "run ring --method fem --cells %d", cells[k]);
+    for (int part = WHOLE; part < PARTS; part++) {
+        if (part != WHOLE)
+            snprintf(set, sizeof set, " --set %s=%s", parts[part].setting, parts[part].without);
+        for (int s = 0; s < SCENES; s++) add_scene(list, s, "ge_wls", part_label(part), set, quick);
+        for (int k = 0; k < (quick ? 2 : MESHES); k++)
+            if (cells[k] != (quick ? scenes[RING].quick : scenes[RING].cells))
+                case_add(list, "run ring --method ge_wls --cells %d%s", cells[k], set);
+    }
+    for (int k = 0; k < CURES; k++) {
+        snprintf(what, sizeof what, "wls2-%d", k);
+        snprintf(set, sizeof set, " --set %s", cures[k]);
+        add_scene(list, BLOCK, "wls2", what, set, quick);
+    }
+}
+
+/* A number of GE-WLS without this part. */
+static Measure value_of(const Table *rows, const char *problem, int n, int part, const char *column)
+{
+    char where[256];
+    int end = snprintf(where, sizeof where, "problem=%s method=ge_wls cells=%d", problem, n);
+    for (int k = 0; k < PARTS; k++)
+        end += snprintf(where + end, sizeof where - (size_t)end, " %s=%s", parts[k].setting,
+                        k == part ? parts[k].without : parts[k].with);
+    const Measure m = select_value(rows, column, "%s", where);
+    return measure_with(m, fabs(m.value));
+}
+
+/* From a history: sqrt(K/K_0) at its end, or |E/E_0 - 1|. */
+static Measure history_end(const Results *r, int scene, const char *what)
+{
+    char part[96];
+    const char *column = scene == BLOCK ? "kinetic" : "total";
+    Table *h = results_file(r, file_part(part, scene, what));
+    const int last = h ? h->nrow - 1 : 0;
+    const double ratio =
+        last > 0 ? select_number(h, last, column) / select_number(h, 0, column) : NAN;
+    table_free(h);
+    return measure(scene == BLOCK ? sqrt(ratio) : fabs(ratio - 1), !isnan(ratio), 1);
+}
+
+static Measure plate_rms(const Results *r, const char *what)
+{
+    Measure rms = measure_sum_of(RIM), scatter = measure_sum_of(RIM);
+    char part[96];
+    Table *fine = results_file(r, "reference");
+    Table *plate = results_file(r, file_part(part, PLATE, what));
+    hole_measure(fine, FINE, plate, scenes[PLATE].cells, &rms, &scatter);
+    table_free(fine);
+    table_free(plate);
+    return rms;
+}
+
+static Measure scene_value(const Results *r, int scene, int part)
+{
+    if (scene == PLATE) return plate_rms(r, part_label(part));
+    if (scenes[scene].file) return history_end(r, scene, part_label(part));
+    return value_of(r->rows, scenes[scene].problem, scenes[scene].cells, part,
+                    scenes[scene].column);
+}
+
+static void write_ring(FILE *f, const Table *rows, int part)
+{
+    for (int k = 0; k < MESHES; k++) {
+        const double share =
+            measure_ratio(
+                value_of(rows, "ring", cells[k], part, "error_linf"),
+                select_value(rows, "error_linf", "problem=ring method=fem cells=%d", cells[k]))
+                .value;
+        if (!isnan(share)) fprintf(f, "%s,share,%d,%.17g\n", part_label(part), cells[k], share);
+    }
+}
+
+static void tables(const Results *r)
+{
+    FILE *f = results_write(r, "gains", "part,what,at,value");
+    for (int part = WHOLE; part < PARTS; part++) {
+        write_ring(f, r->rows, part);
+        for (int s = 0; s < SCENES && part != WHOLE; s++) {
+            const Measure gain = measure_ratio(scene_value(r, s, part), scene_value(r, s, WHOLE));
+            fprintf(f, "%s,%s,%d,%.17g\n", part_label(part), scenes[s].problem, s, gain.value);
+        }
+    }
+}
+
+/* Each part must be needed somewhere: the largest factor over the scenes. */
+static void check_parts(Check *c, const Table *gains)
+{
+    static const double low[PARTS] = {1.4, 1.1, 5, 2, 50, 50, 2};
+    for (int part = 0; part < PARTS; part++) {
+        char id[64], text[160];
+        Measure most = measure_max_of(SCENES);
+        for (int s = 0; s < SCENES; s++)
+            for (int row = -1; (row = select_next(gains, row, "part=%s what=%s", part_label(part),
+                                                  scenes[s].problem)) >= 0;)
+                measure_add_max(&most, select_number(gains, row, "value"));
+        snprintf(id, sizeof id, "T-1c.%s", parts[part].setting);
+        snprintf(text, sizeof text,
+                 "GE-WLS without %s=%s: largest factor by which an error grows, of seven scenes",
+                 parts[part].setting, parts[part].with);
+        claim(c, id, text, most, low[part], 1e5);
+    }
+}
+
+static void check(Check *c, const Results *r)
+{
+    check_parts(c, results_part(r, "gains"));
+    claim(c, "T-1c.ringing",
+          "GE-WLS keeps velocities that the grid cannot see: left after 1500 steps, of 1",
+          history_end(r, BLOCK, "all"), 0.9, 1.1);
+    claim(c, "T-1c.wls2-spline",
+          "WLS2 with return=spline alone amplifies them: left after 1500 steps, of 1",
+          history_end(r, BLOCK, "wls2-1"), 1.1, 100);
+    claim(c, "T-1c.wls2-cured",
+          "WLS2 with return=spline and hermite=1000 keeps them: left after 1500 steps, of 1",
+          history_end(r, BLOCK, "wls2-2"), 0.9, 1.1);
+}
+
+const Study study_t_01_parts = {
+    .name = "t_01_parts",
+    .figure = "T-1c",
+    .about = "GE-WLS with one part removed at a time: what each part buys, on seven scenes",
+    .cases = cases,
+    .tables = tables,
+    .check = check,
+    .claims = 10,
+};
