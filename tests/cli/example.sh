@@ -70,7 +70,7 @@ ok "the problem is described" grep -q 'first mode' <("$program" describe free_ba
 ok "and runs with every integrator" grep -q ',ok,' <("$program" run free_bar --integrator usl)
 ok "the study runs" "$program" study t_90_free_bar
 ok "draws" test -s build/out/t_90_free_bar.svg
-"$program" claims >claims.log
+ok "the page of claims is written" "$program" claims --out build/out >claims.log
 ok "its first claim passes" grep -q '^T-90.order,.*,PASS,' build/out/claims.csv
 ok "and its second" grep -q '^T-90.ratio,.*,PASS,' build/out/claims.csv
 ok "every invariant holds for the methods in 2D" invariants 2
