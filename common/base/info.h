@@ -18,7 +18,7 @@ typedef struct Info {
     const char *name;    /* as typed on the command line */
     const char *label;   /* as printed in figures */
     const char *about;   /* one line */
-    const char *source;  /* where it is published */
+    const char *source;  /* where it is published, or NULL */
     const char *formula; /* problem: the exact motion; method: the transfers; NULL: none */
     const char *scale;   /* what errors of a problem are divided by, or NULL */
     const Param *params;

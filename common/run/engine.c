@@ -25,7 +25,8 @@ static void say_params(const Param *p, FILE *out)
 
 static void say_info(const Info *info, const char *kind, FILE *out)
 {
-    fprintf(out, "%s\t%s\t%dD\t%s\nsource\t%s\n", kind, info->name, DIM, info->about, info->source);
+    fprintf(out, "%s\t%s\t%dD\t%s\nsource\t%s\n", kind, info->name, DIM, info->about,
+            info->source ? info->source : "own");
     if (info->formula) fprintf(out, "formula\t%s\n", info->formula);
 }
 

@@ -103,7 +103,8 @@ void page_problems(const Page *page)
         fputs("<dl>", page->f);
         page_element(page->f, "<dt>exact</dt><dd>", p->formula ? p->formula : "none", "</dd>");
         page_element(page->f, "<dt>errors over</dt><dd>", p->scale ? p->scale : "none", "</dd>");
-        page_element(page->f, "<dt>source</dt><dd>", *p->source ? p->source : "own", "</dd></dl>");
+        page_element(page->f, "<dt>source</dt><dd>", p->source && *p->source ? p->source : "own",
+                     "</dd></dl>");
         fputs("</div>\n", page->f);
     }
     fputs("</div>\n", page->f);

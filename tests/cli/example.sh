@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# example.sh FOLDER: README's worked example, done as a reader would in a copy of the tree below FOLDER:
-# start a method, fill it in, build, run it, and find it in lists and in studies. Then what
-# new-method refuses. Prints what failed, then "N passed, N failed"; status 1 if any did.
+# example.sh FOLDER: README's worked examples, done as a reader would in a copy of the tree below FOLDER:
+# two methods (one with a number), a problem, a study with two claims and a plot: one file and one line each (the
+# study: two files and one line), built, run, and found in lists and in studies. Then what new-method refuses. Prints what failed, then "N passed, N failed"; status 1 if any did.
 set -u
 # shellcheck source=tests/cli/checks.sh
 source "$(dirname "$0")/checks.sh"
@@ -24,6 +24,14 @@ invariants() { # DIM: the tests of the core, which find it in the list of method
     compile "build/tests/core_$1d" || return 1
     OMP_WAIT_POLICY=passive "build/tests/core_$1d" >log || { grep -A 3 'had failures' log >&2; false; }
 }
+failed_range() { ! "$program" run free_bar --method blend --set alpha=2 >out 2>err && grep -q 'alpha' err; }
+# readme FILE: README's code that begins with the first line of this file is all of it.
+readme() {
+    local first
+    first=$(head -n 1 "$1")
+    grep -qxF -- "$first" "$root/README.md" || { echo "SKIPPED: README.md does not show $1" && return; }
+    awk -v first="$first" '$0 == first { on = 1 } /^```/ { on = 0 } on' "$root/README.md" | cmp -s - "$1"
+}
 
 rm -rf "$tree"
 mkdir -p "$tree"
@@ -31,19 +39,41 @@ cp -r "$root"/{Makefile,common,methods,problems,fem_ref,studies,plots,tests} "$t
 cd "$tree" || exit 1
 program=build/mpmlab
 ok "the copy compiles" compile
+for file in "$root"/tests/{methods/example_method.c,problems/example_problem.c,studies/example_study.c} \
+    "$root"/tests/studies/example_plot.gp "$root"/methods/flip_pic.c; do
+    ok "README shows $file as it is" readme "$file"
+done
 ok "new-method" "$program" new-method rpic
 ok "names both files" grep -qx 'METHOD(rpic)' methods/methods.def
 cp methods/rpic.c template.c
 "$program" new-method second >out && rm methods/second.c && sed -i '/second/d' methods/methods.def
 cp tests/methods/example_method.c methods/rpic.c
-ok "the example compiles" compile
+ok "new-method with a number" "$program" new-method blend
+sed 's/flip_pic/blend/g' "$root/methods/flip_pic.c" >methods/blend.c
+cp tests/problems/example_problem.c problems/free_bar.c
+echo 'PROBLEM(free_bar, 1, 0, 0)' >>problems/problems.def
+cp tests/studies/example_study.c studies/own/t_90_free_bar.c
+cp tests/studies/example_plot.gp plots/own/t_90_free_bar.gp
+echo 'STUDY(own, t_90_free_bar)' >>studies/studies.def
+ok "the examples compile" compile
 ok "is listed" grep -q "^method.rpic.1,2" <("$program" list methods)
 ok "is described" grep -q 'Jiang' <("$program" describe rpic)
 ok "runs in 1D" grep -q ',ok,' <("$program" run bar --method rpic)
 ok "runs in 2D" grep -q ',ok,' <("$program" run ring --method rpic --cells 16)
 ok "stands in the ring's study" "$program" study w11_06_ring --quick --method rpic
 ok "with its rows" grep -q ',rpic,' build/out/quick/w11_06_ring.csv
-ok "every invariant holds for it in 2D" invariants 2
+error() { "$program" run free_bar "$@" | tail -n 1 | cut -d, -f12; } # error_linf
+ok "the method with a number: its number acts" test "$(error --method blend --set alpha=1)" = "$(error --method gimp)"
+ok "and differs for another" test "$(error --method blend --set alpha=.5)" != "$(error --method gimp)"
+ok "the number has a range" failed_range
+ok "the problem is described" grep -q 'first mode' <("$program" describe free_bar)
+ok "and runs with every integrator" grep -q ',ok,' <("$program" run free_bar --integrator usl)
+ok "the study runs" "$program" study t_90_free_bar
+ok "draws" test -s build/out/t_90_free_bar.svg
+ok "the page of claims is written" "$program" claims --out build/out >claims.log
+ok "its first claim passes" grep -q '^T-90.order,.*,PASS,' build/out/claims.csv
+ok "and its second" grep -q '^T-90.ratio,.*,PASS,' build/out/claims.csv
+ok "every invariant holds for the methods in 2D" invariants 2
 unchanged "no method has" rpic
 unchanged "no method has" gimp
 unchanged "no method has" fem

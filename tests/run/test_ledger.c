@@ -26,7 +26,7 @@ static Table *table_of(const char *path)
 /* m b . (x - X) of all particles, b downwards along the last axis. */
 static double fallen(const Table *t, double gravity)
 {
-    static const char *const X[] = {"X", "Y"}, *const x[] = {"x", "y"};
+    static const char *const X[] = {"X", "Y", "Z"}, *const x[] = {"x", "y", "z"};
     double work = 0;
     for (int k = 0; k < t->nrow; k++)
         work += table_number(t, k, "mass") * gravity *
