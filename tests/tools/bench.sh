@@ -19,7 +19,12 @@ cases+=("mpm-cd|free_block --method mpm --integrator cd --set steps=40"
     "gimp-2-threads|free_block --threads 2 --set steps=40"
     "gimp-box-15|free_block --set box=15 --set steps=40"
     "gimp-1d|free_block --cells 16384 --set dim=1 --set steps=40"
-    "fem-elements|ring --method fem --cells 128 --set steps=100")
+    "fem-elements|ring --method fem --cells 128 --set steps=100"
+    "fem-3d|shell --method fem --cells 16 --set steps=60")
+for m in gimp ge_gimp apic; do # in 3D: 28^3 cells of 8; once 2e6 particles
+    cases+=("$m-3d|free_block --method $m --cells 28 --set dim=3 --set steps=4")
+done
+cases+=("gimp-3d-2e6|free_block --cells 63 --set dim=3 --set steps=2")
 
 pick() { awk -F, -v name="$1" 'NR == 1 { for (k = 1; k <= NF; k++) if ($k == name) at = k } NR == 2 { print $at }'; }
 for ((round = 0; round < ROUNDS; round++)); do
@@ -59,7 +64,7 @@ gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
     for c in "${cases[@]}" "twin|"; do
         name=${c%%|*} n=65536 count=
         [ "$name" = twin ] || n=$(pick particles <"$work/$name.row")
-        case "$name" in gimp-* | fem-*) ;; twin) ;; *) count=$(instructions "${c#*|} --set steps=4") ;; esac
+        case "$name" in gimp-* | *-3d | fem-*) ;; twin) ;; *) count=$(instructions "${c#*|} --set steps=4") ;; esac
         sort -g "$work/$name.ns" | awk -v name="$name" -v n="$n" -v count="$count" -v gimp="$gimp" -v twin="$twin" '
             { cpu[NR] = $1; if (NR == 1 || $2 < wall) wall = $2 }
             END { printf "%s,%d,%.4g,%.4g,%.4g,%s,%.4g,%.4g\n", name, n, cpu[1], cpu[int((NR + 1) / 2)], wall, count,
