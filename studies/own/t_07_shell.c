@@ -10,16 +10,20 @@
 #include "studies/tables/curves.h"
 
 static const int cells[] = {8, 12, 16, 24, 32};
-enum { MESHES = sizeof cells / sizeof *cells, WLS_MESHES = 3 };
+enum { MESHES = sizeof cells / sizeof *cells };
 
-/* The finest mesh of 3D takes as long as all others: it is for those whose orders are judged. WLS
- * takes three to eight times as long as GIMP and stops at 16 cells. */
+/* Each finer mesh of 3D takes as long as all coarser ones: N = 32 is for those whose errors are
+ * known there, 24 for those whose order is judged; the others end at 16. WLS takes three to eight
+ * times as long as GIMP. */
 static int meshes_of(const char *method)
 {
-    static const char *const finest[] = {"gimp", "ge_gimp", "bspline", "fem"};
-    for (int k = 0; k < 4; k++)
+    static const char *const finest[] = {"gimp", "ge_gimp", "fem"}, *const finer[] = {"mpm",
+                                                                                      "bspline"};
+    for (int k = 0; k < 3; k++)
         if (strcmp(method, finest[k]) == 0) return MESHES;
-    return strstr(method, "wls") ? WLS_MESHES : MESHES - 1;
+    for (int k = 0; k < 2; k++)
+        if (strcmp(method, finer[k]) == 0) return MESHES - 1;
+    return MESHES - 2;
 }
 
 /* Does the method run in 3D? */
