@@ -57,8 +57,10 @@ enum { OTHERS = sizeof others / sizeof *others };
 static bool is_listed(const char *problem)
 {
     const size_t n = strlen(problem);
-    for (int k = 0; k < LADDERS; k++)
-        if (strncmp(ladders[k].run, problem, n) == 0 && strchr(" ", ladders[k].run[n])) return true;
+    for (int k = 0; k < LADDERS; k++) {
+        const char *run = ladders[k].run;
+        if (strncmp(run, problem, n) == 0 && (run[n] == ' ' || !run[n])) return true;
+    }
     return false;
 }
 

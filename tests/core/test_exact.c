@@ -5,7 +5,6 @@
 #include "tests/fixture.h"
 
 /* ---- a linear velocity field on particles thrown at random into a box */
-
 static const double slope[3][3] = {{2, -3, 0.7}, {1.3, 0.4, -2}, {-0.6, 2.2, 1.1}};
 static const double offset[3] = {5, -4, 6};
 
@@ -116,7 +115,6 @@ static void test_gradient_of_field(void)
 }
 
 /* ---- uniform stretch: boxes that follow F stay contiguous */
-
 /* Stretches stand in scene->k. */
 static void stretch_start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fields F,
                           Fields L)
@@ -207,7 +205,6 @@ static void test_contiguous(void)
 }
 
 /* ---- free fall from rest (H14) */
-
 static const double gravity[3] = {-30, 20, 50};
 
 static void fall(const Scene *s, int n, ConstFields X, double t, Fields b)
