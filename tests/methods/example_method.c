@@ -24,6 +24,8 @@ const Method method_rpic = {
     .info = {.name = "rpic",
              .label = "RPIC",
              .about = "particles as small rigid bodies: PIC that keeps rotation",
+             .formula =
+                 "v_i = sum m_p S_ip (v_p + W_p (x_i - x_p)) / sum m_p S_ip; v_p = sum S_ip v_i",
              .source = "Jiang et al. 2015"},
     .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,
     .integrator = {[1] = CD, [2] = CD, [3] = CD},
