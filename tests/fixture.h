@@ -54,7 +54,7 @@ double rig_size(const double *a, int count, int field, int components);
 double rig_distance(const double *a, const double *b, int count, bool L);
 
 /* All pairs that the tests run: NULL-terminated methods[] times INTEGRATORS. */
-#define FOR_METHODS(m) for (const Method *const *m = methods; *m; m++)
+#define FOR_METHODS(m)     for (const Method *const *m = methods; *m; m++)
 #define FOR_INTEGRATORS(i) for (Integrator i = CD; i < INTEGRATORS; i++)
 
 /* Settings of variant k of a method, then `more`: 0 its defaults, 1 its other shape, 2 an odd order
