@@ -196,7 +196,7 @@ static void curve_title(const Curves *c, const Part *p, char text[256])
         widen(&real, select_number(c->rows, row, "ppc"));
     const size_t at = strlen(text);
     if (fmax(fabs(real.low - ppc), fabs(real.high - ppc)) > 1e-9)
-        snprintf(text + at, 256 - at, ", really %.4g to %.4g", real.low, real.high);
+        snprintf(text + at, 256 - at, " (really %.4g to %.4g)", real.low, real.high);
 }
 
 static void write_orders(FILE *f, const Curves *c)

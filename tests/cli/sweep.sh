@@ -91,7 +91,7 @@ drawn() {
 ok "are drawn where they are" drawn
 ok "which is not where they were asked for" test "$(cut -d, -f2 s/sweep_ppc.curves.csv | sed -n 2p)" != .5
 swept "curves of particles that do not fit" 3 squeeze --cells 7,10 --ppc 1.2,2 --name curves
-ok "tell what was asked for and what fitted" order 0 '$2 ~ /^ppc 1.2, really 1.143 to 1.2$/'
+ok "tell what was asked for and what fitted" order 0 '$2 ~ /^ppc 1.2 .really 1.143 to 1.2.$/'
 ok "and no more where all fitted" order 1 '$2 == "ppc 2"'
 swept "an end that counts steps" 2 free_block --cells 8,16,32 --set dim=1
 ok "gives no order" order 0 'o == "" && r ~ /different times/'
