@@ -10,7 +10,7 @@ void sphere_turn(const double axis[3], double angle, Mat turn)
     for (int a = 0; a < DIM; a++)
         for (int b = 0; b < DIM; b++) {
             const double own = a == b, next = (b + 1) % 3 == a, before = (a + 1) % 3 == b;
-            const double cross = (next - before) * axis[(3 - a - b) % 3] / length;
+            const double cross = (next - before) * axis[(6 - a - b) % 3] / length;
             const double along = axis[a] * axis[b] / (length * length);
             turn[a * DIM + b] =
                 DIM < 3 ? own : c * own + (1 - c) * along + (a == b ? 0 : s * cross);
