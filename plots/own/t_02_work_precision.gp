@@ -7,7 +7,7 @@ list_ = points_
 load plots.'/methods.gp'
 set datafile missing NaN # rows of others are passed over, not gaps
 PROBLEMS = 'ring axis_mms vortex plate_vibration sine_bar squeeze'
-array TITLE[6] = ['Ring: largest error [m]', 'Axis-aligned displacement: largest error / A', \
+array TITLE[6] = ['Ring: largest error [m]', 'Axis-aligned waves: largest error / A', \
                   'Vortex, G = 0.1: largest error [m]', 'Plate, A = 0.4 mm: largest error / A', \
                   'Sine bar, exact law: largest error / A', 'Squeeze, quadratic field: relative error']
 is(p, m) = strcol('problem') eq p && strcol('method') eq m && \

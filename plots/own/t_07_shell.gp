@@ -19,7 +19,7 @@ known(m) = exists('shell_'.m)
 
 set label 1 heading('(a) ring, 2D') at graph 0, graph 1.05
 set ylabel 'largest error of all particles and steps [m]'
-set key at screen 0.09, screen 0.29 left top maxrows 6 samplen 2.2 width 1
+set key at screen 0.09, screen 0.29 left top maxrows 9 samplen 2.2 width 1
 plot for [m in METHODS] known(m) ? csv : '/dev/null' using (runs('ring', m)):'error_linf' \
          with linespoints ls style(m) title label(m).both(m), \
      NaN with linespoints ls style('fem') dt 2 title 'FEM, body force integrated', \
