@@ -93,8 +93,10 @@ static void test_unknown(void)
     check_fault(t, "e", "method=nobody arangement=centred", "arrangement");
     check_fault(t, "e", "method", "method");
     check_fault(plain, "error", "nu=0.3", "error"); /* no table of runs */
+    const int rows = t->nrow;
     t->nrow = 0;
     check_fault(t, "e", "colour=red", "cells");
+    t->nrow = rows; /* to free them */
     table_free(plain);
     table_free(t);
 }
