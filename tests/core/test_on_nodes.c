@@ -49,7 +49,8 @@ static void test_drift_on_nodes(void)
                 double *s = block_state(4 << (k % 2), tents[m], i, set[k], 20, &n);
                 for (int p = 0; p < n; p++) {
                     for (int d = 0; d < NMAT; d++)
-                        CHECK_CLOSE(s[(AT_F + d) * n + p], d % (DIM + 1) == 0, 1e-13);
+                        CHECK_CLOSE(s[(AT_F + d) * n + p], d % (DIM + 1) == 0, /* WLS solves fits */
+                                    m < WLS ? 1e-13 : 1e-12);
                     CHECK_CLOSE(s[AT_V * n + p], s[AT_V * n], 1e-12 * speed);
                 }
                 free(s);
