@@ -47,10 +47,11 @@ static void test_drift_on_nodes(void)
             {
                 int n;
                 double *s = block_state(4 << (k % 2), tents[m], i, set[k], 20, &n);
+                /* WLS multiplies round-off (H-2): with one particle per cell 1.7e-13 at -O1 */
+                const double least = m == WLS && set[k][0] == '1' ? 1e-12 : 1e-13;
                 for (int p = 0; p < n; p++) {
                     for (int d = 0; d < NMAT; d++)
-                        CHECK_CLOSE(s[(AT_F + d) * n + p], d % (DIM + 1) == 0, /* WLS solves fits */
-                                    m < WLS ? 1e-13 : 1e-12);
+                        CHECK_CLOSE(s[(AT_F + d) * n + p], d % (DIM + 1) == 0, least);
                     CHECK_CLOSE(s[AT_V * n + p], s[AT_V * n], 1e-12 * speed);
                 }
                 free(s);
