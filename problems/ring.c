@@ -2,11 +2,11 @@
  * radial.h). In 3D the same ring, two cells thick between symmetry planes. */
 #include <stdio.h>
 #include "common/contract/layout.h"
+enum { RADIAL_AXES = 2, LAST = DIM - 1 }; /* in 3D: the axis of the ring */
 #include "radial.h"
 
 enum { AMPLITUDE, SECTOR, OFFSET_X, OFFSET_Y, ANGLE };
 enum { QUARTER, FULL };
-enum { PLANE = 2, LAST = DIM - 1 }; /* axes of the motion; in 3D: the axis of the ring */
 
 static const Param params[] = {
     {"A", 0.1, -0.15, 0.15, "m", "amplitude: displacement at the outer radius", "W11 5.1", NULL},
@@ -16,11 +16,6 @@ static const Param params[] = {
     {"offset_y", 0, -1, 1, "h", "full: centre of the ring off the grid line y = 0", "", NULL},
     {"angle", 0, -360, 360, "deg", "full: turn of body-fitted points or mesh", "", NULL},
     {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
-
-static double amplitude(const Scene *s, double t)
-{
-    return radial_amplitude(s, s->par[AMPLITUDE], t);
-}
 
 /* Symmetry planes on both sides of two cells along the ring's axis. */
 static void set_thickness(Scene *s)
@@ -39,49 +34,16 @@ static int init(Scene *s, char why[128])
         snprintf(why, 128, "offset_x, offset_y and angle need sector=full");
         return -1;
     }
-    radial_init(s, s->par[AMPLITUDE]);
+    radial_init(s);
     s->body = (Body){.kind = BODY_RING,
                      .centre = {s->par[OFFSET_X] * s->cell, s->par[OFFSET_Y] * s->cell},
                      .inner = radial_inner,
                      .outer = radial_outer,
                      .angle_lo = turn,
                      .angle_hi = turn + (full ? 2 * M_PI : M_PI / 2)};
-    for (int d = 0; d < PLANE; d++) {
-        s->lo[d] = full ? -2 : 0;
-        s->hi[d] = 2;
-        s->body_lo[d] = full ? s->body.centre[d] - radial_outer : 0;
-        s->body_hi[d] = s->body.centre[d] + radial_outer;
-        if (!full) s->wall[s->nwall++] = (Wall){.axis = d, .side = -1, .at = 0, .mirror = true};
-    }
+    radial_bounds(s, full);
     if (DIM > 2) set_thickness(s);
     return 0;
-}
-
-static bool inside(const Scene *s, const Vec X)
-{
-    return radial_inside(s, PLANE, X);
-}
-
-static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
-{
-    radial_exact(s, PLANE, n, X, amplitude(s, t), u);
-    for (int p = 0; p < n && DIM > 2; p++) u[LAST][p] = 0;
-}
-
-static double distance(const Scene *s, const Vec x, double t)
-{
-    return radial_depth(s, PLANE, x, amplitude(s, t));
-}
-
-static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fields F, Fields L)
-{
-    (void)v, (void)L;
-    radial_start(s, PLANE, n, X, amplitude(s, 0), u, F);
-}
-
-static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
-{
-    radial_body(s, PLANE, n, X, amplitude(s, t), b);
 }
 
 /* Points at mid angles on the circle of radius R, spacing s or less; dr = 0: on the surface. In 3D
@@ -99,7 +61,7 @@ static void add_circle(const Scene *scene, double R, double dr, double spacing, 
         const double angle = b->angle_lo + (q % n + 0.5) * arc;
         const Vec e = {cos(angle), sin(angle)};
         Vec X = {0}, normal = {0};
-        for (int d = 0; d < PLANE; d++) {
+        for (int d = 0; d < RADIAL_AXES; d++) {
             X[d] = b->centre[d] + R * e[d];
             normal[d] = outwards * e[d];
         }
@@ -135,10 +97,10 @@ const Problem problem_ring = {
     .ppc = IN_THIS_DIM(2, 4, 8),
     .cfl = 0.3,
     .init = init,
-    .inside = inside,
+    .inside = radial_inside,
     .place = place,
-    .start = start,
-    .exact = exact,
-    .distance = distance,
-    .body = body,
+    .start = radial_start,
+    .exact = radial_exact,
+    .distance = radial_distance,
+    .body = radial_body,
 };

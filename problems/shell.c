@@ -3,6 +3,7 @@
  * between three symmetry planes, or the whole shell, placed anywhere on the grid and turned. */
 #include <stdio.h>
 #include "common/contract/sphere.h"
+enum { RADIAL_AXES = DIM };
 #include "radial.h"
 
 enum { AMPLITUDE, SECTOR, OFFSET, ANGLE = OFFSET + DIM };
@@ -19,11 +20,6 @@ static const Param params[] = {
      "full: turn of body-fitted points or mesh about the axis (1, 2, 3)", "", NULL},
     {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
-static double amplitude(const Scene *s, double t)
-{
-    return radial_amplitude(s, s->par[AMPLITUDE], t);
-}
-
 static int init(Scene *s, char why[128])
 {
     const double axis[3] = {1, 2, 3};
@@ -34,45 +30,13 @@ static int init(Scene *s, char why[128])
         snprintf(why, 128, "offset_x, offset_y, offset_z and angle need sector=full");
         return -1;
     }
-    radial_init(s, s->par[AMPLITUDE]);
+    radial_init(s);
     s->body = (Body){.kind = BODY_SHELL, .inner = radial_inner, .outer = radial_outer};
     s->octant = !full;
     sphere_turn(axis, s->par[ANGLE] * M_PI / 180, s->turn);
-    for (int d = 0; d < DIM; d++) {
-        s->body.centre[d] = s->par[OFFSET + d] * s->cell;
-        s->lo[d] = full ? -2 : 0;
-        s->hi[d] = 2;
-        s->body_lo[d] = full ? s->body.centre[d] - radial_outer : 0;
-        s->body_hi[d] = s->body.centre[d] + radial_outer;
-        if (!full) s->wall[s->nwall++] = (Wall){.axis = d, .side = -1, .at = 0, .mirror = true};
-    }
+    for (int d = 0; d < DIM; d++) s->body.centre[d] = s->par[OFFSET + d] * s->cell;
+    radial_bounds(s, full);
     return 0;
-}
-
-static bool inside(const Scene *s, const Vec X)
-{
-    return radial_inside(s, DIM, X);
-}
-
-static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
-{
-    radial_exact(s, DIM, n, X, amplitude(s, t), u);
-}
-
-static double distance(const Scene *s, const Vec x, double t)
-{
-    return radial_depth(s, DIM, x, amplitude(s, t));
-}
-
-static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fields F, Fields L)
-{
-    (void)v, (void)L;
-    radial_start(s, DIM, n, X, amplitude(s, 0), u, F);
-}
-
-static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
-{
-    radial_body(s, DIM, n, X, amplitude(s, t), b);
 }
 
 /* Spheres at mid radii, and surface particles on both surfaces. */
@@ -95,10 +59,10 @@ const Problem problem_shell = {
     .ppc = 8,
     .cfl = 0.3,
     .init = init,
-    .inside = inside,
+    .inside = radial_inside,
     .place = place,
-    .start = start,
-    .exact = exact,
-    .distance = distance,
-    .body = body,
+    .start = radial_start,
+    .exact = radial_exact,
+    .distance = radial_distance,
+    .body = radial_body,
 };

@@ -130,9 +130,7 @@ static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
 static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
 {
     if (!fitted) return false;
-    const int rings = (int)ceil((outer - inner) / spacing - 1e-9);
-    const double dr = (outer - inner) / rings;
-    for (int k = 0; k < rings; k++) layout_add_arc(out, s, inner + (k + 0.5) * dr, dr, spacing, 0);
+    layout_fill_arcs(out, s, inner, outer, spacing);
     layout_add_arc(out, s, inner, 0, spacing, -1);
     layout_add_arc(out, s, outer, 0, spacing, 1);
     return true;

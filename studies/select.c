@@ -148,6 +148,15 @@ static void read_conditions(Conditions *c, const Table *t, const char *where, va
     }
 }
 
+/* The conditions of a function whose last named argument is `where`. */
+#define READ_CONDITIONS(c, t, where)                                                               \
+    do {                                                                                           \
+        va_list args;                                                                              \
+        va_start(args, where);                                                                     \
+        read_conditions(c, t, where, args);                                                        \
+        va_end(args);                                                                              \
+    } while (0)
+
 static bool same_value(const char *a, const char *b)
 {
     double x, y;
@@ -174,20 +183,14 @@ static int next(const Conditions *c, const Table *t, int row)
 bool select_meets(const Table *t, int row, const char *where, ...)
 {
     Conditions c;
-    va_list args;
-    va_start(args, where);
-    read_conditions(&c, t, where, args);
-    va_end(args);
+    READ_CONDITIONS(&c, t, where);
     return meets(&c, t, row);
 }
 
 int select_next(const Table *t, int row, const char *where, ...)
 {
     Conditions c;
-    va_list args;
-    va_start(args, where);
-    read_conditions(&c, t, where, args);
-    va_end(args);
+    READ_CONDITIONS(&c, t, where);
     return next(&c, t, row);
 }
 
@@ -203,31 +206,22 @@ static Measure first(const Table *t, const char *name, bool kept, const Conditio
 Measure select_value(const Table *t, const char *name, const char *where, ...)
 {
     Conditions c;
-    va_list args;
-    va_start(args, where);
-    read_conditions(&c, t, where, args);
-    va_end(args);
+    READ_CONDITIONS(&c, t, where);
     return first(t, name, true, &c);
 }
 
 Measure select_ended(const Table *t, const char *name, const char *where, ...)
 {
     Conditions c;
-    va_list args;
-    va_start(args, where);
-    read_conditions(&c, t, where, args);
-    va_end(args);
+    READ_CONDITIONS(&c, t, where);
     return first(t, name, false, &c);
 }
 
 int select_all(const Table *t, const char *name, int most, double out[], const char *where, ...)
 {
     Conditions c;
-    va_list args;
     int n = 0;
-    va_start(args, where);
-    read_conditions(&c, t, where, args);
-    va_end(args);
+    READ_CONDITIONS(&c, t, where);
     find(t, name);
     for (int row = -1; n < most && (row = next(&c, t, row)) >= 0;)
         out[n++] = select_kept(t, row, name);

@@ -59,6 +59,14 @@ void layout_add_arc(Layout *out, const Scene *scene, double R, double dr, double
     }
 }
 
+void layout_fill_arcs(Layout *out, const Scene *scene, double inner, double outer, double spacing)
+{
+    const int rings = (int)ceil((outer - inner) / spacing - 1e-9);
+    const double dr = (outer - inner) / rings;
+    for (int k = 0; k < rings; k++)
+        layout_add_arc(out, scene, inner + (k + 0.5) * dr, dr, spacing, 0);
+}
+
 /* W07 fig 4: `count` particles of equal size fill the body from end to end. */
 static void place_evenly(Layout *out, const Scene *scene, int count)
 {

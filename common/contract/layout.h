@@ -30,6 +30,9 @@ void layout_free(Layout *out);
  * are to be, whose normals point outwards (side 1) or inwards (-1). */
 void layout_add_arc(Layout *out, const Scene *scene, double R, double dr, double spacing, int side);
 
+/* Arcs at the mid radii of rings of equal thickness, at most `spacing`, from inner to outer. */
+void layout_fill_arcs(Layout *out, const Scene *scene, double inner, double outer, double spacing);
+
 /* Spacing of surface points where particles have the given one [m]. */
 double layout_surface_spacing(const Layout *out, double spacing);
 

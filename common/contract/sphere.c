@@ -17,7 +17,9 @@ void sphere_turn(const double axis[3], double angle, Mat turn)
         }
 }
 
-void sphere_direction(int face, double s, double t, double e[3])
+/* Unit vector at fractions s, t in [-1, 1] of the quarter turn that face `face` (0, 1, 2: the axis
+ * it looks along) spans in its two other axes, cyclic. */
+static void direction(int face, double s, double t, double e[3])
 {
     e[face] = 1;
     e[(face + 1) % 3] = tan(M_PI / 4 * s);
@@ -63,7 +65,7 @@ void sphere_add(Layout *out, const Scene *scene, double R, double dr, double spa
     for (int k = 0; k < octants * 3 * n * n && !out->lost; k++) {
         const int i = k % n, j = k / n % n, face = k / n / n % 3, octant = k / n / n / 3;
         double e[3];
-        sphere_direction(face, (i + 0.5) / n, (j + 0.5) / n, e);
+        direction(face, (i + 0.5) / n, (j + 0.5) / n, e);
         for (int a = 0; a < 3; a++) e[a] *= octant >> a & 1 ? -1 : 1;
         add_point(out, scene, R, e, cell_angle(i, j, n) * third, side);
     }

@@ -9,10 +9,6 @@
 /* Rotation by `angle` [rad] about `axis` (any length), row-major; the identity but in 3D. */
 void sphere_turn(const double axis[3], double angle, Mat turn);
 
-/* Unit vector at fractions s, t in [-1, 1] of the quarter turn that face `face` (0, 1, 2: the axis
- * it looks along) spans in its two other axes, cyclic. */
-void sphere_direction(int face, double s, double t, double e[3]);
-
 /* Adds points at mid angles of the sphere of radius R about the scene's body [m], about `spacing`
  * apart, n = ceil(sqrt(pi/6) R/spacing) rows of n on the quarter of a face; each has its exact
  * solid angle's share of a shell of thickness dr. dr = 0: surface points as in layout_add_arc.

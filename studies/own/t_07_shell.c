@@ -26,21 +26,12 @@ static int meshes_of(const char *method)
     return MESHES - 2;
 }
 
-/* Does the method run in 3D? */
-static bool runs_in_space(const char *method)
-{
-    RunSpec spec = {.problem = "shell"};
-    strcpy(spec.method, method);
-    return engine_3d.resolve(&spec, NULL) == 0;
-}
-
 static void cases(Cases *list, bool quick)
 {
     for (const Info *const *m = engine_3d.methods; *m; m++) {
         const char *method = (*m)->name;
         const bool mesh = !engine_has_grid(&engine_3d, method);
         const int meshes = quick ? 2 : meshes_of(method);
-        if (!runs_in_space(method)) continue;
         for (int k = 0; k < (quick ? 2 : MESHES); k++)
             case_add(list, "run ring --method %s --cells %d", method, cells[k]);
         for (int k = 0; k < meshes; k++)
@@ -147,7 +138,6 @@ static void check(Check *c, const Results *r)
         const char *method = (*m)->name;
         const char *body = engine_has_grid(&engine_3d, method) ? "" : "nodes";
         const int meshes = meshes_of(method);
-        if (!runs_in_space(method)) continue;
         snprintf(name, sizeof name, "ring_%s", method);
         claim_note(c, name, ring_order(t, method).value);
         snprintf(name, sizeof name, "shell_%s", method);
