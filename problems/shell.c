@@ -54,6 +54,8 @@ const Problem problem_shell = {
              .label = "Oscillating shell",
              .about = "large-strain oscillation of a neo-Hookean spherical shell, exact solution",
              .source = "after W11 5.1",
+             .formula = "u(R) = A cos(c pi t) (c1 R + c2 R^2 + c3 R^3), body force to match",
+             .scale = "1 m",
              .params = params},
     .cells = 32,
     .ppc = 8,

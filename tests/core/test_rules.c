@@ -135,17 +135,6 @@ static void test_defaults(void)
     CHECK_TEXT(spec.method, "gimp");
 }
 
-/* A scene with an exact motion says its formula and its scale, one without says neither. */
-static void test_formulas(void)
-{
-    for (const Problem *const *p = problems; *p; p++) {
-        CU_ASSERT(!(*p)->exact == !(*p)->info.formula);
-        CU_ASSERT(!(*p)->exact == !(*p)->info.scale);
-    }
-    for (const Info *const *m = method_infos; *m; m++)
-        CU_ASSERT((*m)->formula && *(*m)->formula && !(*m)->scale);
-}
-
 static const TestCase tests[] = {
     {"number of steps and dt", test_times},
     {"steps=N", test_steps},
@@ -153,7 +142,6 @@ static const TestCase tests[] = {
     {"particle counts that are refused", test_counts_refused},
     {"method x integrator pairs", test_pairs},
     {"defaults", test_defaults},
-    {"formulas", test_formulas},
     {NULL, NULL},
 };
 CHECK_SUITE(tests)

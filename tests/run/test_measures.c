@@ -220,12 +220,24 @@ static void test_von_mises(void)
     particle_solver.free(core);
 }
 
+/* A scene with an exact motion says its formula and its scale, one without says neither. */
+static void test_formulas(void)
+{
+    for (const Problem *const *p = problems; *p; p++) {
+        CU_ASSERT(!(*p)->exact == !(*p)->info.formula);
+        CU_ASSERT(!(*p)->exact == !(*p)->info.scale);
+    }
+    for (const Info *const *m = method_infos; *m; m++)
+        CU_ASSERT((*m)->formula && *(*m)->formula && !(*m)->scale);
+}
+
 static const TestCase tests[] = {
     {"error norms", test_norms},
     {"errors of a projection", test_projection},
     {"kinetic energy, momentum, volumes", test_sums},
     {"angular momentum about the centre of mass", test_turning},
     {"strain energy", test_strain},
+    {"formulas and error scales of scenes, formulas of methods", test_formulas},
     {"von Mises stress; columns of --particles", test_von_mises},
     {NULL, NULL},
 };
