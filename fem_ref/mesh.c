@@ -6,23 +6,14 @@
  *   box         x = lo + (s, t) (hi - lo)              ni = Lx N, nj = Ly N
  *   ring        R = Ri + s (Ro - Ri)                   ni = (Ro - Ri) N, nj = angle (Ri + Ro)/2 N
  *   hole plate  R = Ri + s (edge(angle) - Ri), the blend of circle and square; in units of the
- *               plate's width ni = .6 N, nj = 2 ceil(pi/4 .7 N), even so that the diagonal meets
- * the corner disk        a centre and rings k = 1 .. Ro N of 6 k nodes: nearly equal triangles
+ *               plate's width ni = .6 N, nj = 2 ceil(pi/4 .7 N), even so that the diagonal
+ *               meets the corner
+ *   disk        a centre and rings k = 1 .. Ro N of 6 k nodes: nearly equal triangles
  *
  * (all rounded up). */
 #include <limits.h>
 #include <math.h>
 #include "mesh.h"
-
-static double cells_along(double length, double cells)
-{
-    return fmax(ceil(length * cells - 1e-9), 1);
-}
-
-static bool is_full_turn(const Body *b)
-{
-    return b->angle_hi - b->angle_lo > 2 * M_PI * (1 - 1e-12);
-}
 
 /* Distance from the centre of a quarter plate to its outer edge. */
 static double to_edge(const Scene *s, double cosine, double sine)
@@ -38,21 +29,22 @@ static void lattice_size(const Scene *s, double cells, double *ni, double *nj)
     double angle = b->angle_hi - b->angle_lo, width = s->body_hi[0] - b->centre[0];
     switch (b->kind) {
     case BODY_RING:
-        *ni = cells_along(b->outer - b->inner, cells);
-        *nj = cells_along(angle * 0.5 * (b->inner + b->outer), cells);
-        if (is_full_turn(b)) *nj = 2 * ceil(*nj / 2); /* diagonals alternate across the seam, too */
+        *ni = mesh_cells_along(b->outer - b->inner, cells);
+        *nj = mesh_cells_along(angle * 0.5 * (b->inner + b->outer), cells);
+        if (mesh_is_full_turn(b))
+            *nj = 2 * ceil(*nj / 2); /* diagonals alternate across the seam, too */
         break;
     case BODY_HOLE_PLATE:
-        *ni = cells_along(0.6 * width, cells);
-        *nj = 2 * cells_along(M_PI / 4 * 0.7 * width, cells);
+        *ni = mesh_cells_along(0.6 * width, cells);
+        *nj = 2 * mesh_cells_along(M_PI / 4 * 0.7 * width, cells);
         break;
     case BODY_DISK:
-        *ni = cells_along(b->outer, cells);
+        *ni = mesh_cells_along(b->outer, cells);
         *nj = 6;
         break;
     default:
-        *ni = cells_along(s->body_hi[0] - s->body_lo[0], cells);
-        *nj = cells_along(s->body_hi[1] - s->body_lo[1], cells);
+        *ni = mesh_cells_along(s->body_hi[0] - s->body_lo[0], cells);
+        *nj = mesh_cells_along(s->body_hi[1] - s->body_lo[1], cells);
     }
 }
 
@@ -63,7 +55,7 @@ int mesh_plan(Mesh *mesh, const Scene *scene, int cells, Fault *fault)
         return fault_set(fault, FAULT_USAGE, "fem: no mesh for the body of problem %s",
                          scene->problem->info.name);
     bool disk = scene->body.kind == BODY_DISK;
-    bool closed = scene->body.kind == BODY_RING && is_full_turn(&scene->body);
+    bool closed = scene->body.kind == BODY_RING && mesh_is_full_turn(&scene->body);
     lattice_size(scene, cells, &ni, &nj);
     nodes = disk ? 1 + 3 * ni * (ni + 1) : (ni + 1) * (nj + !closed);
     elements = disk ? 6 * ni * ni : 2 * ni * nj;

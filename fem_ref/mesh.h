@@ -1,9 +1,10 @@
 /* mesh.h: a structured mesh of a scene's body, of triangles (mesh.c) or tetrahedra (mesh_space.c),
- * planned first (its size is known before any
- * memory is asked for), then filled into arrays of the caller's. */
+ * planned first, so that its size is known before any memory is allocated, then filled into arrays
+ * of the caller. */
 #ifndef MPMLAB_MESH_H
 #define MPMLAB_MESH_H
 
+#include <math.h>
 #include "common/base/fault.h"
 #include "common/contract/problem.h"
 
@@ -14,6 +15,17 @@ typedef struct Mesh {
     bool closed; /* the last column of cells meets the first */
     int nodes, elements;
 } Mesh;
+
+/* Cells of about 1/cells along a length; as a double: it may be beyond int. */
+static inline double mesh_cells_along(double length, double cells)
+{
+    return fmax(ceil(length * cells - 1e-9), 1);
+}
+
+static inline bool mesh_is_full_turn(const Body *b)
+{
+    return b->angle_hi - b->angle_lo > 2 * M_PI * (1 - 1e-12);
+}
 
 /* Mesh of edge about 1/cells. 0, or a fault: 2 for a body without a mesh, 1 for one beyond
  * counting. */

@@ -8,24 +8,15 @@
  *   box      a lattice of cells, ni x nj x nk
  *   ring     the lattice of the plane (radius, angle), nk = thickness N cells along the axis
  *   shell    equiangular cubed sphere: the cells on the faces of a cube of m^3 cells (octant: of
- * its three far faces), and layers of them along the radius: m = pi/4 Ro N an octant, layers = (Ro
- * - Ri) N cavity   the same from the sphere to the cube: m = pi/4 .7 N, layers = .6 N per width
+ *            its three far faces), and layers of them along the radius: m = pi/4 Ro N per octant,
+ *            layers = (Ro - Ri) N
+ *   cavity   the same from the sphere to the cube: m = pi/4 .7 N, layers = .6 N per width
  *   ball     m^3 cells in the middle, blended between cube and sphere of half the radius, and
  *            layers from there to the surface */
 #include <limits.h>
 #include <math.h>
 #include "common/contract/sphere.h"
 #include "mesh.h"
-
-static double cells_along(double length, double cells)
-{
-    return fmax(ceil(length * cells - 1e-9), 1);
-}
-
-static bool is_full_turn(const Body *b)
-{
-    return b->angle_hi - b->angle_lo > 2 * M_PI * (1 - 1e-12);
-}
 
 /* Is it built on the faces of a cube? */
 static bool is_round(const Scene *s)
@@ -39,20 +30,20 @@ static void size(const Scene *s, double cells, double n[3])
 {
     const Body *b = &s->body;
     const double quarters = s->octant ? 1 : 2;
-    for (int d = 0; d < 3; d++) n[d] = cells_along(s->body_hi[d] - s->body_lo[d], cells);
+    for (int d = 0; d < 3; d++) n[d] = mesh_cells_along(s->body_hi[d] - s->body_lo[d], cells);
     if (b->kind == BODY_RING) {
-        n[0] = cells_along(b->outer - b->inner, cells);
-        n[1] = cells_along((b->angle_hi - b->angle_lo) * 0.5 * (b->inner + b->outer), cells);
-        if (is_full_turn(b)) n[1] = 2 * ceil(n[1] / 2);
+        n[0] = mesh_cells_along(b->outer - b->inner, cells);
+        n[1] = mesh_cells_along((b->angle_hi - b->angle_lo) * 0.5 * (b->inner + b->outer), cells);
+        if (mesh_is_full_turn(b)) n[1] = 2 * ceil(n[1] / 2);
     }
     if (!is_round(s)) return;
     const double width = s->body_hi[0] - b->centre[0];
-    n[0] = n[1] = quarters * cells_along(M_PI / 4 * b->outer, cells);
-    n[2] = cells_along(b->outer - b->inner, cells);
-    if (b->kind == BODY_BALL) n[2] = cells_along(0.5 * b->outer, cells);
+    n[0] = n[1] = quarters * mesh_cells_along(M_PI / 4 * b->outer, cells);
+    n[2] = mesh_cells_along(b->outer - b->inner, cells);
+    if (b->kind == BODY_BALL) n[2] = mesh_cells_along(0.5 * b->outer, cells);
     if (b->kind != BODY_CAVITY) return;
-    n[0] = n[1] = cells_along(M_PI / 4 * 0.7 * width, cells);
-    n[2] = cells_along(0.6 * width, cells);
+    n[0] = n[1] = mesh_cells_along(M_PI / 4 * 0.7 * width, cells);
+    n[2] = mesh_cells_along(0.6 * width, cells);
 }
 
 /* Nodes and cells of one layer of a round body. */
@@ -64,7 +55,7 @@ static double faces_nodes(const Scene *s, double m)
 int mesh_plan(Mesh *mesh, const Scene *scene, int cells, Fault *fault)
 {
     const BodyKind kind = scene->body.kind;
-    const bool closed = kind == BODY_RING && is_full_turn(&scene->body);
+    const bool closed = kind == BODY_RING && mesh_is_full_turn(&scene->body);
     double n[3], nodes, hexes;
     if (kind != BODY_BOX && kind != BODY_RING && (kind < BODY_SHELL || kind > BODY_CAVITY))
         return fault_set(fault, FAULT_USAGE, "fem: no mesh for the body of problem %s",

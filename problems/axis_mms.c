@@ -94,7 +94,8 @@ const Problem problem_axis_mms = {
              .label = "axis-aligned displacement",
              .about = "large-strain standing waves along all axes, exact solution",
              .source = "Wallstedt & Guilkey 2008",
-             .formula = "u_i = A sin(pi X_i) sin(c pi t + phi_i), phi = 0, pi, body force to match",
+             .formula = "u_i = A sin(pi X_i) sin(c pi t + phi_i), phi = " IN_THIS_DIM(
+                 "0", "0, pi", "0, 2 pi/3, 4 pi/3") ", body force to match",
              .scale = "A",
              .params = params},
     .cells = 32,
