@@ -1,5 +1,5 @@
-/* wls.c: weighted least squares on the nodes, integrals over cut cells: the reading of W11
- * that runs (its tail of first order included). */
+/* wls.c: weighted least squares on the nodes, integrals over cut cells: W11 as published, where the
+ * text is ambiguous in the variant that is stable. It loses second order on fine meshes. */
 #include "methods/wls/params.h"
 
 static const Param params[] =

@@ -1,10 +1,10 @@
 /* block.c: a unit block in an empty box, in the plainest states there are: the hard cases' scene.
  *
  *   free motion     x = X + (F - I)(X - X_c) + offset, uniform F = R(angle) [stretch 0; 0 1],
- *                   uniform velocity, and what must be invisible: velocities that alternate from
- * particle to particle. Inside, no force acts but gravity. imposed motion  spin or rate are not 0:
- * velocities are v = w (-y, x) or v = rate (x, 0) of the position now, at every step, and there is
- * no stress.
+ *                   uniform velocity, plus velocities that alternate from particle to particle
+ *                   (ripple), which the grid cannot see. Inside, no force acts but gravity.
+ *   imposed motion  spin or rate is not 0: in every step v = w (-y, x) or v = rate (x, 0) at the
+ *                   current position, and there is no stress.
  *
  * Coordinates about the block's centre. In 1D the same along its only axis; in 3D it is turned
  * and spins about z. */
@@ -35,11 +35,11 @@ typedef double Square[SPACE][SPACE];
 static const Param params[PARAMS + 1] = {
     {"box", 3, 1, 1000, "m", "width of the empty square around the block", "", NULL},
     {"stretch", 1, 0.01, 100, "", "initial stretch along x", "", NULL},
-    {"angle", 0, -360, 360, "degrees", "by which it is then turned (2D, 3D)", "", NULL},
-    {"offset_x", 0, -1, 1, "h", "how far the block is moved on the grid at first", "", NULL},
-    {"offset_y", 0, -1, 1, "h", "the same along y", "", NULL},
-    {"drift_x", 0, -10, 10, "c", "uniform velocity", "", NULL},
-    {"drift_y", 0, -10, 10, "c", "the same along y", "", NULL},
+    {"angle", 0, -360, 360, "degrees", "rotation of the stretched block (2D, 3D)", "", NULL},
+    {"offset_x", 0, -1, 1, "h", "initial offset of the block on the grid along x", "", NULL},
+    {"offset_y", 0, -1, 1, "h", "initial offset of the block on the grid along y", "", NULL},
+    {"drift_x", 0, -10, 10, "c", "uniform velocity along x", "", NULL},
+    {"drift_y", 0, -10, 10, "c", "uniform velocity along y", "", NULL},
     {"gravity", 0, -1e9, 1e9, "m/s^2", "body force per mass along the last axis, downwards", "",
      NULL},
     {"ripple", 0, -1, 1, "c", "velocity added with a sign that alternates between neighbours", "",
@@ -47,8 +47,8 @@ static const Param params[PARAMS + 1] = {
     {"spin", 0, -10, 10, "c/m", "imposed: angular velocity (2D, 3D)", "", NULL},
     {"rate", 0, -10, 10, "c/m", "imposed: rate of stretch along x", "", NULL},
     /* A list ends with a NULL name: in 1D and 2D here. */
-    {DIM > 2 ? "offset_z" : NULL, 0, -1, 1, "h", "the same along z", "", NULL},
-    {"drift_z", 0, -10, 10, "c", "the same along z", "", NULL},
+    {DIM > 2 ? "offset_z" : NULL, 0, -1, 1, "h", "initial offset along z", "", NULL},
+    {"drift_z", 0, -10, 10, "c", "uniform velocity along z", "", NULL},
     {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 static bool is_imposed(const Scene *s)

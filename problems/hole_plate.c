@@ -67,8 +67,8 @@ static void add_sides(double spacing, Layout *out)
 }
 
 /* Two rings around the hole, the lattice beyond, surface particles on hole and free sides but not
- * on the symmetry lines. The spacing is a whole part of the plate's width;
- * where two rings would reach beyond the sides there are less. */
+ * on the symmetry lines. The spacing is a whole part of the plate's width; where two rings
+ * would reach beyond the sides there are fewer. */
 static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
 {
     if (!fitted) return false;

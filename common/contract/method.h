@@ -80,8 +80,8 @@ struct Sim;
 
 typedef struct Method {
     Info info;
-    unsigned valid;       /* bit per Integrator: published or proven sound */
-    unsigned valid_fresh; /* more of them with refresh=1 */
+    unsigned valid;       /* bit i set: stable with Integrator i (published, or T-5) */
+    unsigned valid_fresh; /* further ones, stable only with refresh=1 */
     int integrator[4];    /* default by dimension, [0] unused */
     bool keeps_L;         /* the particle carries its velocity gradient from step to step */
     bool affine;          /* payload fills B */
@@ -110,9 +110,9 @@ typedef struct Method {
 
     /* Velocity filter, or NULL: coefficients c[0 .. rounds] of sum_l c_l (S+ S)^l v; returns
      * rounds, at most MAX_ROUNDS. `par`: the method's parameters. A gather then finds the filtered
-     * velocity in the place of a. filter_first: v before its acceleration is filtered, for particle
-     * velocities alone; else v after it, for all that is gathered, wherever particles are
-     * projected. */
+     * velocity in the place of a. filter_first = true (XPIC): filters v - dt a, and only the
+     * particle velocities use the result. false (FMPM): filters the accelerated v; velocities,
+     * positions and L all use the result, in every projection. */
     int (*filter)(const double *par, double c[]);
     bool filter_first;
 

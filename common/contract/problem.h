@@ -112,7 +112,7 @@ static inline double scale_of_motion(double amplitude, double scale)
     return fabs(amplitude) > 0 ? fabs(scale) : NAN;
 }
 
-/* NULL-terminated, in registry order; problems/registry.c. */
+/* All problems in the order of problems/problems.def, ended by NULL. */
 extern const Problem *const problems[];
 
 #endif

@@ -62,8 +62,8 @@ static void average_force(const Sim *sim, size_t at, Line *node, const Around *n
     }
 }
 
-/* A token of mass, so that the node moves with a = sum f / sum m of its neighbours, or goes on
- * with its own v if none has mass: eq 14 sees no inside where particles are thin. */
+/* A token of mass, so that the node moves with a = sum f / sum m of its neighbours, or keeps
+ * its own v if no neighbour has mass. (Where particles are sparse, eq 14 finds no inside node.) */
 static void move_along(Sim *sim, size_t at, Line *node, const Around *n)
 {
     Grid *g = &sim->g;

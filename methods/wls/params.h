@@ -42,7 +42,7 @@
                 "accelerations by row sums of the mass matrix, or corrected towards the matrix",   \
                 "", "lumped|corrected"),                                                           \
             WLS_CHOICE(P_VELOCITY, "velocity", velocity, 1,                                        \
-                       "of nodes: as fitted, or what fit and return filter given back", "",        \
+                       "node velocities: as fitted, or corrected for fit and return", "",          \
                        "plain|corrected"),                                                         \
             WLS_CHOICE(                                                                            \
                 P_MOTION, "motion", motion, 1,                                                     \

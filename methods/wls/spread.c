@@ -1,12 +1,12 @@
 /* spread.c: average=folded: forces of spurious nodes go to their good neighbours. See wls.h.
  *
- * A spurious node s moves with its good neighbours, so that its own force f_s has no effect; but
- * the f_i of all nodes sum to zero, those of the good ones alone do not, and a body at rest whose
- * surface carries stress sets off. What s lacks to move along,
- *   r_s = f_s - m_s a_s,  a_s = 2 a_j - a_k (k beyond j), the mass-weighted mean over good j,
- * is handed to its good neighbours in proportion to their mass, added to their f. Then the sum of
- * m a is that of f for every uniform a. Nodes that a wall holds keep theirs: it is the wall's; and
- * so is the share of r_s that a held component of a good neighbour is due: booked as impulse. */
+ * A spurious node s moves with its good neighbours, so its own force f_s has no effect. But only
+ * the f_i of all nodes together sum to zero; without f_s a body at rest whose surface carries
+ * stress would start to move. The part of f_s that the motion of s does not use, r_s = f_s - m_s
+ * a_s,  a_s = 2 a_j - a_k (k beyond j), the mass-weighted mean over good j, is added to the f of
+ * its good neighbours in proportion to their mass. Then the sum of m a is that of f for every
+ * uniform a. A node that a wall holds keeps its force, which acts on the wall; the share of r_s for
+ * a held component of a good neighbour does so, too, and is added to the impulse. */
 #include "wls.h"
 
 static void neighbour_of(const int index[DIM], int k, int out[DIM])

@@ -134,8 +134,8 @@ static inline Wls *wls_of(const Sim *sim)
     return sim->own;
 }
 
-/* Is node `at` good, with mass of its own? Known from the start of the repair on, which gives
- * others a token of mass, so that no node depends on when its neighbours are repaired. */
+/* Is node `at` good, with mass of its own? Set at the start of the repair, before
+ * massless nodes get small masses, so that the result does not depend on the order of nodes. */
 enum { SOUND = 2 };
 static inline bool wls_is_sound(const Sim *sim, size_t at)
 {

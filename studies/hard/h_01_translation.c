@@ -131,7 +131,7 @@ typedef struct Ask {
     const char *method;
     int kind, mesh, offset;
     const double *shift;
-    FILE *dots; /* a line a node, or NULL */
+    FILE *dots; /* one line per node, or NULL */
 } Ask;
 
 static void take_node(Span *s, const Ask *a, double place, double f)
@@ -241,7 +241,7 @@ static void check_tents(Check *c, const Table *t)
           select_value(t, "nodes", "method=mpm kind=bar cells=%d", bar[0]), 200, 1000);
     claim(c, "H-1.tent",
           "Tents: when a particle crosses a node the nodal force changes by 2 F/n: range of forces "
-          "in the bar over that, coarsest mesh",
+          "in the bar over 2 F/n, coarsest mesh",
           measure_times(select_value(t, "jump", "method=mpm kind=bar cells=%d", bar[0]), 1 / share),
           0.99, 1.01);
     claim(c, "H-1.tent-h",

@@ -1,9 +1,9 @@
 /* h_02_ringing.c: hard case H-2: velocities that the grid cannot see.
  *
  * In a block at rest the particles' velocities alternate, +d and -d; with two or more of them to a
- * cell they cancel at every node inside, v_i = 0. What is left of them is sqrt(K/K_0): of the
- * kinetic energy, in which little else than the ends' motion takes part. FLIP adds a dt to what a
- * particle has and so keeps it for ever; PIC takes velocities from the grid and so forgets it.
+ * cell they cancel at every node inside, v_i = 0. Their amplitude relative to the initial one is
+ * measured as sqrt(K/K_0), since K holds little but this mode and some motion of the ends. FLIP
+ * adds a dt to v_p and so preserves the mode; PIC replaces v_p by grid values and so removes it.
  *
  * WLS and WLS2 amplify it: they fit with splines and return with tents, and in a block that does
  * not lie on the grid's lines the mode draws energy until the run is lost. GE-WLS returns with
@@ -236,7 +236,7 @@ static void check(Check *c, const Results *r)
 const Study study_h_02_ringing = {
     .name = "h_02_ringing",
     .figure = "H-2",
-    .about = "particle velocities that the grid cannot see: who keeps them, who forgets",
+    .about = "particle velocities that the grid cannot see: kept, damped or amplified",
     .cases = cases,
     .tables = tables,
     .check = check,

@@ -1,15 +1,16 @@
 /* h_03_stretch.c: hard case H-3: numerical fracture. A block is pulled apart along x, evenly and to
  * four times its length, by velocities that are imposed: v = rate x.
  *
- * Then F grows to (1 + rate dt)^k, if the method sees the gradient. It does not where particles are
- * so far apart that a node hears of one of them alone: F stops, and stress with it, as if the block
- * had broken. The mean of F is the block's volume over what it was; stress is told by the law of
- * the bar, sigma ~ F - 1/F, and is lost at the first stretch, from 1.2 on, at which it is wrong by
- * a tenth.
+ * Then F grows to (1 + rate dt)^k if the grid's gradient is right. It is zero where particles are
+ * so far apart that each node receives contributions from one particle only: F and stress stop
+ * growing, as if the block had broken. The mean of F is the block's volume over the initial one;
+ * stress follows from the law of the bar, sigma ~ F - 1/F, and counts as lost at the first stretch,
+ * from 1.2 on, at which it is wrong by a tenth.
  *
- * A method may know the strain of particles that no longer feel each other. So bars are also put
- * down at the full stretch, at rest and in the stress that belongs to it: no force may act inside
- * (as in h_01_translation.c); sigma A F/n, all that a particle has, says that it is alone. */
+ * A method may have the right strain in particles that share no node any more. Therefore a second
+ * set of runs starts from the fully stretched bar in equilibrium, where nodal forces inside must
+ * vanish (as in h_01_translation.c). A force of sigma A F/n, the full contribution of one particle,
+ * means that this particle shares no node with its neighbours. */
 #include <math.h>
 #include <string.h>
 #include "studies/tables/curves.h"
@@ -188,11 +189,11 @@ static void check_wls(Check *c, const Table *t)
     const double d = good_within(0.25);
     claim(c, "H-3.wls",
           "WLS keeps the bar's stress until no particle is within its trigger weight: stretch at "
-          "which it is lost over that one",
+          "which stress is lost, over the stretch so predicted",
           measure_times(onset(t, "wls", 0, "usual"), 1 / (2 * good_within(0.12))), 0.9, 1.3);
     claim_differs(c, "H-3.wls2",
                   "WLS2 keeps the bar's stress until no particle is within its larger trigger "
-                  "weight: stretch at which it is lost over that one",
+                  "weight: stretch at which stress is lost, over the stretch so predicted",
                   measure_times(wls2, 1 / (2 * d)), 0.9, 1.3, 1.3, 1.6,
                   "it extrapolates to nodes without particles, and so goes on until its good nodes "
                   "see one particle only, a stretch of 3/2 + d");

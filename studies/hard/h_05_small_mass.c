@@ -1,14 +1,15 @@
 /* h_05_small_mass.c: a node that a body hardly touches: how small does it make the time step?
  *
  * A free bar (2D: square), two particles a cell and axis, in slow uniform motion with a weak
- * oscillation (strains of 3e-8); its ends lie eps into fresh cells. That has three readings, since
- * a node may be touched by the last particle itself (tents), by the edge of its box (GIMP, and the
- * free surface of WLS), or by a spline's half cell more: the body is placed by each of the three,
- * for every method. The critical step is found by bisection of the CFL number to 1 % (as far as
- * steps of a whole number fill the time): a time of 40 h/c in which energy grows by less than 5 %.
- * Where smaller steps fail again, the growth is one in time that large steps damp: the largest such
- * step is noted, too. The uniform motion holds most of the energy, so that the start, when waves
- * leave a velocity field that no grid resolves, cannot count as growth.
+ * oscillation (strains of 3e-8); its ends reach eps into otherwise empty cells. What
+ * reaches so far is the last particle itself (tents), the edge of its box (GIMP; WLS's free
+ * surface), or the support of a spline, half a cell further: the body is placed in each of these
+ * three ways, for every method. The critical step is found by bisection of the CFL number to 1 %
+ * (limited by the whole number of steps): over a time of 40 h/c energy grows by less than 5 %. Some
+ * methods fail again below a smaller step, because energy then grows slowly with time rather than
+ * per step; the largest such step is recorded as grows_below. The uniform motion holds most of the
+ * energy, so that the start, when waves leave a velocity field that no grid resolves, cannot count
+ * as growth.
  *
  * Tents. The far node has m = rho (h/n) eps/h and stiffness E/(n h), so that M^-1 K has omega =
  * c/sqrt(eps h) and a grid that kept its velocities would take 2/omega = 2 sqrt(eps h)/c. But the
@@ -212,8 +213,8 @@ static Measure smallest(const Table *t, const char *what, int dim, const char *m
 }
 
 static const char forgets[] =
-    "2/omega is what a grid that keeps its velocities allows; a node that is projected anew each "
-    "step forgets its own, and its limit is 1/sqrt(2) of that";
+    "2/omega holds for nodes that keep their velocities; here these are projected anew in each "
+    "step, and the limit is sqrt(2)/omega";
 
 static void check_tents(Check *check, const Table *points, const Table *omega)
 {
@@ -245,14 +246,15 @@ static void check_floors(Check *check, const Table *points, const Table *omega)
           "[h/c]",
           smallest(omega, "two_over_omega", 1, "gimp"), 0.76, 0.84);
     claim_differs(check, "H-5.gimp",
-                  "GIMP: the critical step does not fall below that floor of 2/omega_max [h/c]",
+                  "GIMP: the critical step stays above .76 h/c, the floor of 2/omega_max: "
+                  "least [h/c]",
                   smallest(points, "critical", 1, "gimp"), 0.76, 0.84, 0.56, 0.76, forgets);
     claim(check, "H-5.bspline-omega",
           "B-splines: 2/omega_max of M^-1 K does not fall below a floor higher than GIMP's [h/c]",
           smallest(omega, "two_over_omega", 1, "bspline"), 0.9, 1);
     claim_differs(
         check, "H-5.bspline",
-        "B-splines: the critical step does not fall below that floor of 2/omega_max [h/c]",
+        "B-splines: the critical step stays above .9 h/c, the floor of 2/omega_max: least [h/c]",
         smallest(points, "critical", 1, "bspline"), 0.9, 1, 0.66, 0.9, forgets);
     claim(check, "H-5.ge_wls",
           "GE-WLS, 1D: least critical step wherever its surface lies [h/c] (own measurement)",

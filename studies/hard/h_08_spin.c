@@ -59,7 +59,8 @@ static void add(Cases *list, int scene, const char *method, int variant, bool qu
              scenes[scene].problem, method, CELLS, turns * scenes[scene].turn,
              scenes[scene].settings, variant ? " --set " : "",
              variant ? option_of(variant, setting) : "");
-    if (scene == FREE && variant == SUBCYCLED) return; /* between the others */
+    if (scene == FREE && variant == SUBCYCLED)
+        return; /* its result lies between the usual and the exponential */
     if (variant > 0 && !(engine_has_grid(&engine_2d, method) && run_args_is_run("%s", text)))
         return;
     case_add_with(list, "particles", part_name(part, scene, method, variant), "%s", text);

@@ -2,8 +2,9 @@
  * block, a strip of one and a half cells, a concave corner, and a block with a gap of half a cell
  * (two surfaces in one cell), none of them on the grid's lines. All nodes with mass count.
  *
- * A node at an edge hears particles from one side only: mass-weighted projection gives it their
- * mean, which is half a cell away: first order in h. Gradients, or a fit, take it to the node. */
+ * A node at an edge receives contributions from one side only: mass-weighted projection gives it
+ * the mean velocity of particles about half a cell away, an error of first order in h. Velocity
+ * gradients, or a linear fit, extrapolate to the node. */
 #include "studies/tables/grades.h"
 
 enum { BODIES = 4, MESHES = 4 };

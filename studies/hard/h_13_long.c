@@ -2,9 +2,9 @@
  * ten or more impacts. Every method as it comes, and those that take it with return=spline.
  *
  * The ledger is kinetic + strain energy less the work of body forces, less what it was at first, as
- * a share of the largest energy (energy_drift of the row). A method stands it if that stays within
- * 5 %, which the program calls energy growth above; it is weak if it loses more than that, as all
- * that damp do, or gains; lost if the run is. */
+ * a share of the largest energy (energy_drift of the row). A method is graded good if
+ * this stays within 5 % (a larger gain has the status energy_growth), weak if it loses or gains
+ * more (every method with damping loses more), and lost if the run is lost. */
 #include <math.h>
 #include <string.h>
 #include "studies/tables/grades.h"

@@ -1,4 +1,4 @@
-/* figures_part.c: a card a figure: picture, claims, where the numbers come from, how to remake it.
+/* figures_part.c: one card per figure: picture, claims, origin of the numbers, and the command.
  * Pictures are embedded: the drawing itself, or its pixels where those are shorter. */
 #include <ctype.h>
 #include <jansson.h>

@@ -37,7 +37,7 @@ static int find(const Ladder *list, int n, int last, const Table *rows, const in
     return k;
 }
 
-/* In its place; a rung that is there already counts once. */
+/* Inserts the rung in order of CFL; a CFL that is already present is ignored. */
 static void add_rung(Ladder *l, const Table *rows, int row, Grade grade)
 {
     const double cfl = select_number(rows, row, "cfl");

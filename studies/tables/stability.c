@@ -66,8 +66,8 @@ static int column_of(double cfl)
     return -1;
 }
 
-/* A line a rung. Groups of PPC, an amplitude each, are one apart; a mesh has no PPC and stands in
- * the places of all. */
+/* One line per run. Groups of PPC, an amplitude each, are one apart; a mesh has no PPC and stands
+ * in the places of all. */
 static void write_map(FILE *f, const Table *rows, const Ladder *l)
 {
     const Map *map = stability_of_row(rows, l->row[0]);
@@ -120,7 +120,7 @@ static int least_of_group(const Table *t, int first, const char *what, int n,
     return best;
 }
 
-/* Over PPC, a line an amplitude. */
+/* Over PPC, one line per amplitude. */
 static void write_worst(FILE *f, const Table *limits)
 {
     static const char *const group[] = {"method", "pair", "amplitude", "dim"};

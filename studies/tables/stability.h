@@ -1,9 +1,9 @@
 /* stability.h: the stability maps of T-4: which runs, and their tables.
  *
- * NAME.map.csv: a line a rung, what became of the run and where it stands in the figure.
- * NAME.limits.csv: a line a ladder, its limits and what ends them. NAME.worst.csv: the least of
- * them over PPC. NAME.safe.csv: over PPC and amplitudes, of each method with its default
- * integrator. */
+ * NAME.map.csv: one line per run, its outcome and its place in the figure.
+ * NAME.limits.csv: one line per series of CFL numbers, its limits and what ends them.
+ * NAME.worst.csv: the least of them over PPC. NAME.safe.csv: over PPC and amplitudes, of each
+ * method with its default integrator. */
 #ifndef MPMLAB_STABILITY_H
 #define MPMLAB_STABILITY_H
 

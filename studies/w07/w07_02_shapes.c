@@ -54,8 +54,9 @@ static Measure most_nodes(const Curve *S)
 static void check_nodes(Check *c, const Table *rows)
 {
     static const char *const ids[] = {"W07-2.mpm-nodes", "W07-2.gimp-nodes"};
-    static const char *const says[] = {"nodes in 1D that a particle of MPM contributes to, most",
-                                       "nodes in 1D that a particle of GIMP contributes to, most"};
+    static const char *const says[] = {
+        "MPM: largest number of nodes that a particle contributes to, 1D",
+        "GIMP: largest number of nodes that a particle contributes to, 1D"};
     Curve curve;
     for (int m = 0; m < 2; m++) {
         curve_pick(&curve, rows, "r", "S", "method=%s", methods[m]);

@@ -65,10 +65,11 @@ static Measure rises(const Curve *c)
 static void check_terms(Check *c, const Table *rows, const Curve *mpm, const Curve *gimp)
 {
     claim(c, "W07-6.term-ppc",
-          "two terms: MPM's worst errors less the plateau fall as PPC^-2: exponent",
+          "MPM, term of PPC in eq. 2.2: worst errors less the plateau fall as PPC^-2: exponent",
           term_of_ppc(mpm, squeeze_plateau()), -2.1, -1.9);
     claim(c, "W07-6.term-h",
-          "two terms: MPM's error at 10 particles per cell falls with h^2: order, 1/50 to 1/200",
+          "MPM, term of h in eq. 2.2: error at 10 particles per cell falls with h^2: order, 1/50 "
+          "to 1/200",
           term_of_h(rows), 1.95, 2.02);
     claim_differs(c, "W07-6.no-zero-mpm",
                   "no arrangement has zero error: MPM's least over all numbers of particles",

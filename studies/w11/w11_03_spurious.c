@@ -112,7 +112,7 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-3.outside", "WLS: no node inside the ring is spurious: how many are", inner, 0,
           0);
     claim(c, "W11-3.circular",
-          "lines of equal weight are nearly circles: least over largest radius of that of .12",
+          "lines of equal weight are nearly circles: least over largest radius, weight .12",
           measure_formula(roundness(trigger)), 0.95, 1);
     claim(c, "W11-3.trigger",
           "trigger weights .1 to .25 do equally well: (largest - least)/largest error on the ring, "

@@ -56,8 +56,8 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-7.flight", "WLS: strain energy at t = 0 over that at t = 3",
           measure_ratio(start.energy, last.energy), 0, 1e-12);
     claim(c, "W11-7.vibration",
-          "WLS: at t = 2, between two impacts, little strain energy is left: that over the one at "
-          "t = 3",
+          "WLS: little strain energy is left between two impacts: strain energy at t = 2 over that "
+          "at t = 3",
           measure_ratio(later.energy, last.energy), 0, 0.2);
     claim(
         c, "W11-7.second-impact",
