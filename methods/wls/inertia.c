@@ -16,8 +16,7 @@ unsigned wls_held(const Grid *g, int row, int i)
 {
     int index[DIM];
     unsigned held = 0;
-    index[0] = i;
-    for (int d = 1; d < DIM; d++) index[d] = row % g->n[d], row /= g->n[d];
+    wls_index_of(g, row, i, index);
     for (int d = 0; d < DIM; d++) held |= g->hold[d][index[d]];
     for (int k = 0; k < g->nmirror; k++)
         if (index[g->mirror[k].axis] == g->mirror[k].at) held |= 1u << g->mirror[k].axis;
@@ -107,13 +106,10 @@ static bool extrapolated(const Sim *sim, const int index[DIM], double acc[DIM])
     double total = 0;
     for (int a = 0; a < DIM; a++) acc[a] = 0;
     for (int k = 0; k < NEIGHBOURS; k++) {
-        int next[DIM], beyond[DIM], rest = k;
+        int next[DIM], beyond[DIM];
         double sign[DIM], sign2[DIM];
-        for (int d = 0; d < DIM; d++) {
-            next[d] = index[d] + rest % 3 - 1;
-            beyond[d] = 2 * next[d] - index[d];
-            rest /= 3;
-        }
+        wls_neighbour(index, k, next);
+        for (int d = 0; d < DIM; d++) beyond[d] = 2 * next[d] - index[d];
         if (k == NEIGHBOURS / 2) continue;
         const size_t j = mirror_image(g, next, sign), at = mirror_image(g, beyond, sign2);
         if (j == NOWHERE || at == NOWHERE || !wls_is_sound(sim, j) || !wls_is_sound(sim, at))

@@ -36,13 +36,10 @@ static Around look_around(const Sim *sim, const int index[DIM])
     const Wls *w = sim->own;
     Around out = {0};
     for (int k = 0; k < NEIGHBOURS; k++) {
-        int other[DIM], rest = k;
+        int other[DIM];
         double sign[DIM], away[DIM];
-        for (int d = 0; d < DIM; d++) {
-            away[d] = rest % 3 - 1;
-            other[d] = index[d] + rest % 3 - 1;
-            rest /= 3;
-        }
+        wls_neighbour(index, k, other);
+        for (int d = 0; d < DIM; d++) away[d] = other[d] - index[d];
         const size_t at = k == NEIGHBOURS / 2 ? NOWHERE : mirror_image(&sim->g, other, sign);
         if (at != NOWHERE && w->good[at]) add_neighbour(sim, at, sign, away, &out);
     }

@@ -9,17 +9,6 @@
  * a held component of a good neighbour does so, too, and is added to the impulse. */
 #include "wls.h"
 
-static void neighbour_of(const int index[DIM], int k, int out[DIM])
-{
-    for (int d = 0; d < DIM; d++, k /= 3) out[d] = index[d] + k % 3 - 1;
-}
-
-static void index_of(const Grid *g, int row, int i, int index[DIM])
-{
-    index[0] = i;
-    for (int d = 1; d < DIM; d++) index[d] = row % g->n[d], row /= g->n[d];
-}
-
 /* Spurious, with mass, and free of walls (not of symmetry lines). */
 static bool gives(const Sim *sim, size_t at, const int index[DIM])
 {
@@ -42,7 +31,7 @@ static Sums sum_around(const Sim *sim, const int index[DIM])
     for (int k = 0; k < NEIGHBOURS; k++) {
         int next[DIM], beyond[DIM];
         double sign[DIM], sign2[DIM];
-        neighbour_of(index, k, next);
+        wls_neighbour(index, k, next);
         for (int d = 0; d < DIM; d++) beyond[d] = 2 * next[d] - index[d];
         const size_t j = mirror_image(&sim->g, next, sign),
                      l = mirror_image(&sim->g, beyond, sign2);
@@ -69,7 +58,7 @@ static void give_row(Sim *sim, int row)
         Inertia *own = &wls_of(sim)->inertia[at];
         int index[DIM];
         if (wls_of(sim)->good[at]) continue;
-        index_of(g, row, i, index);
+        wls_index_of(g, row, i, index);
         if (!gives(sim, at, index)) continue;
         const Sums s = sum_around(sim, index);
         for (int a = 0; a < DIM && s.mass > 0; a++) {
@@ -101,9 +90,9 @@ static void take_row(Sim *sim, int row, double dt)
         double sign[DIM];
         if (!wls_is_sound(sim, at) || wls_all_good(sim, row, i)) continue;
         const unsigned held = wls_held(g, row, i);
-        index_of(g, row, i, index);
+        wls_index_of(g, row, i, index);
         for (int k = 0; k < NEIGHBOURS; k++) {
-            neighbour_of(index, k, next);
+            wls_neighbour(index, k, next);
             const size_t s = mirror_image(g, next, sign);
             for (int a = 0; a < DIM && s != NOWHERE && !w->good[s]; a++)
                 take(sim, row, at, a, sign[a], w->inertia[s].product[I_A + a], held, dt);

@@ -20,8 +20,7 @@ void wls_velocity_start(Sim *sim, size_t at, int row, int i, unsigned held)
     double v[DIM];
     for (int a = 0; a < DIM; a++) v[a] = w->fit[at][FIT_VALUE][Q_V + a];
     if (!w->good[at]) {
-        index[0] = i;
-        for (int d = 1; d < DIM; d++) index[d] = row % sim->g.n[d], row /= sim->g.n[d];
+        wls_index_of(&sim->g, row, i, index);
         wls_velocity_at(sim, index, v);
     }
     for (int a = 0; a < DIM; a++) w->inertia[at].factor[I_V + a] = held >> a & 1 ? 0 : v[a];
@@ -32,14 +31,13 @@ static bool is_surrounded(const Sim *sim, int row, int i)
 {
     const Grid *g = &sim->g;
     int index[DIM];
-    index[0] = i;
-    for (int d = 1; d < DIM; d++) index[d] = row % g->n[d], row /= g->n[d];
+    wls_index_of(g, row, i, index);
     for (int k = 0; k < NEIGHBOURS; k++) {
-        int next[DIM], rest = k;
+        int next[DIM];
         double sign[DIM];
         bool beyond = false;
-        for (int d = 0; d < DIM; d++, rest /= 3) {
-            next[d] = index[d] + rest % 3 - 1;
+        wls_neighbour(index, k, next);
+        for (int d = 0; d < DIM; d++) {
             beyond |= next[d] != index[d] && g->hold[d][index[d]] && next[d] >= 0 &&
                       next[d] < g->n[d] && g->hold[d][next[d]];
         }

@@ -232,4 +232,17 @@ void wls_assemble(Sim *sim, double t, bool force);
 void wls_repair(Sim *sim, double dt);
 void wls_patches(const Sim *sim, PatchVisit *visit, void *own);
 
+/* Indices of the node of a row of nodes at i. */
+static inline void wls_index_of(const Grid *g, int row, int i, int index[DIM])
+{
+    index[0] = i;
+    for (int d = 1; d < DIM; d++) index[d] = row % g->n[d], row /= g->n[d];
+}
+
+/* Indices of neighbour k of NEIGHBOURS; the one in the middle is the node itself. */
+static inline void wls_neighbour(const int index[DIM], int k, int next[DIM])
+{
+    for (int d = 0; d < DIM; d++, k /= 3) next[d] = index[d] + k % 3 - 1;
+}
+
 #endif
