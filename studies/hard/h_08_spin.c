@@ -44,10 +44,9 @@ static char *part_name(char part[96], int scene, const char *method, int variant
 /* What a variant other than the usual one sets. */
 static const char *option_of(int variant, char out[64])
 {
-    if (variant == STRETCH)
-        snprintf(out, 64, "domain=%s", variants[variant].domain);
-    else
-        snprintf(out, 64, "strain_update=%s", variants[variant].update);
+    const bool box = variant == STRETCH;
+    snprintf(out, 64, "%s=%s", box ? "domain" : "strain_update",
+             box ? variants[variant].domain : variants[variant].update);
     return out;
 }
 
