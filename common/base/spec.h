@@ -2,6 +2,7 @@
 #ifndef MPMLAB_SPEC_H
 #define MPMLAB_SPEC_H
 
+#include <signal.h>
 #include "fault.h"
 
 enum { SPEC_SETS = 32, SPEC_TEXT = 3072 };
@@ -28,6 +29,7 @@ typedef struct RunSpec {
     const char *vtk;                         /* folder for snapshots, or NULL */
     int every;                               /* steps between snapshots; */
     double every_s;                          /*   or time between them [s] */
+    const volatile sig_atomic_t *stop; /* not 0: the run ends with the step under way; or NULL */
 } RunSpec;
 
 /* Adds NAME=VALUE to the settings (replacing an earlier NAME). 0, or a fault with code 2. */

@@ -8,7 +8,16 @@
 #include "points.h"
 #include "problem.h"
 
-typedef enum { OK, LEFT_GRID, INVERTED, NOT_A_NUMBER, SINGULAR, EMPTY, ENERGY_GROWTH } StatusCode;
+typedef enum {
+    OK,
+    LEFT_GRID,
+    INVERTED,
+    NOT_A_NUMBER,
+    SINGULAR,
+    EMPTY,
+    ENERGY_GROWTH,
+    INTERRUPTED
+} StatusCode;
 
 /* How a step ended; `point` is the id of the first culprit (particle, or element of FEM), or -1. */
 typedef struct Status {

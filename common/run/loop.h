@@ -21,6 +21,7 @@ typedef struct Counted {
 
 typedef struct Loop {
     const Plan *plan;
+    const volatile sig_atomic_t *stop; /* RunSpec.stop */
     void *self;
     Scratch scratch;
     FILE *history;

@@ -3,8 +3,8 @@
 #include <string.h>
 #include "loop.h"
 
-static const char *const status_names[] = {"ok",       "left_grid", "inverted",     "nan",
-                                           "singular", "empty",     "energy_growth"};
+static const char *const status_names[] = {"ok",       "left_grid", "inverted",      "nan",
+                                           "singular", "empty",     "energy_growth", "interrupted"};
 
 static void say_status(const Loop *l, Row *row)
 {
@@ -19,6 +19,9 @@ static void say_status(const Loop *l, Row *row)
         strcpy(row->reason, l->status.point < 0
                                 ? "no particle lies inside the body"
                                 : "no node with mass lies where errors are measured");
+    else if (l->status.code == INTERRUPTED)
+        snprintf(row->reason, sizeof row->reason, "step %ld of %ld t=%.6g", l->done, l->n,
+                 (double)l->done * l->dt);
     else if (l->status.code == SINGULAR)
         snprintf(row->reason, sizeof row->reason,
                  "step %ld t=%.6g particle %d and all others: no node under them has mass",

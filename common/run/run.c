@@ -46,6 +46,11 @@ static bool grown(const Loop *l)
     return l->plan->stop_growth && l->growth_step >= 0;
 }
 
+static bool stopped(const Loop *l)
+{
+    return l->stop && *l->stop && l->done < l->n && !grown(l);
+}
+
 /* Instants 0 .. n. The kinetic energy of instant k is known after step k. */
 static void run_steps(Loop *l)
 {
@@ -56,7 +61,7 @@ static void run_steps(Loop *l)
     loop_measure_state(l, &m);
     if (l->shots.dir)
         l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
-    for (; l->done < l->n && !grown(l) && !l->code; l->done++) {
+    for (; l->done < l->n && !grown(l) && !l->code && !stopped(l); l->done++) {
         const double t = (double)l->done * l->dt;
         take_step(l, t);
         if (l->status.code != OK) {
@@ -182,15 +187,21 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
     if (code) return code;
     report_counts(l, row);
     if (!l->plan->scene.problem->projection && l->status.code == OK) last_instant(l);
+    if (l->status.code == OK && stopped(l)) l->status.code = INTERRUPTED;
     report_results(l, row);
     return 0;
 }
 
 int run_spec(const RunSpec *spec, Row *row, Fault *fault)
 {
+    const double began = seconds(CLOCK_MONOTONIC);
     RunSpec own = *spec;
     Plan plan;
-    Loop l = {.plan = &plan, .growth_step = -1, .worst = norm_no_errors, .drift = NAN};
+    Loop l = {.plan = &plan,
+              .stop = spec->stop,
+              .growth_step = -1,
+              .worst = norm_no_errors,
+              .drift = NAN};
     int code = plan_make(&own, &plan, fault);
     if (code) return code;
     *row = row_empty();
@@ -209,5 +220,6 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     snapshot_free(&l.shots);
     if (l.history && code) file_abandon(l.history, spec->history);
     if (l.history && !code) code = file_commit(l.history, spec->history, fault);
+    row->wall_run_s = seconds(CLOCK_MONOTONIC) - began;
     return code;
 }

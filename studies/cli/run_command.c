@@ -5,6 +5,7 @@
 #include "csv_append.h"
 #include "studies/runs/run_args.h"
 #include "studies/engine/run_study.h"
+#include "studies/engine/signals.h"
 
 static void print_row(const Row *row)
 {
@@ -39,10 +40,12 @@ static int run(int argc, char **argv, Fault *fault)
     if ((code = spec_files_check(&args.spec, fault))) return code;
     if (args.csv && (code = csv_append_check(args.csv, fault))) return code;
     if (args.spec.vtk && (code = file_make_folder(args.spec.vtk, fault))) return code;
+    args.spec.stop = signals_note();
     if ((code = engine->run(&args.spec, &row, fault))) return code;
     print_row(&row);
     if (!args.quiet && strcmp(row.status, "ok") != 0)
         fprintf(stderr, "mpmlab: %s: %s\n", row.status, row.reason);
+    if (strcmp(row.status, "interrupted") == 0) return FAULT_INTERRUPTED; /* no row of a table */
     if (!args.quiet) note_steps(&args.spec, &row);
     return args.csv ? csv_append(args.csv, &row, args.quiet ? NULL : stderr, fault) : 0;
 }
