@@ -63,6 +63,7 @@ static int allocate(Fem *f, int cells, Fault *fault)
     if (!f->memory)
         return fault_set(fault, FAULT_MACHINE, "fem: no memory for %d elements", f->elements);
     memset(f->memory, 0, need);
+    f->bytes = need;
     lay_out(f, f->memory);
     return 0;
 }

@@ -48,7 +48,8 @@ typedef struct Fem {
     int barriers;
     double edge;   /* [m] length in the time step limit */
     Status status; /* of the current positions */
-    void *memory;  /* all arrays */
+    void *memory;  /* all arrays, */
+    size_t bytes;  /*   so many */
 } Fem;
 
 /* Where the force on a corner of element e lies; and a force that is always zero. */

@@ -130,6 +130,14 @@ static void patches(const void *self, PatchVisit *visit, void *own)
     }
 }
 
+/* The mesh with it: all arrays are one piece. */
+static void stash(void *self, Stash *s)
+{
+    Fem *f = self;
+    if (stash_same(s, (long)f->bytes)) stash_bytes(s, f->memory, f->bytes);
+    STASH(s, f->status);
+}
+
 static void destroy(void *self)
 {
     fem_free(self);
@@ -152,5 +160,6 @@ const Solver solver_fem = {
     .patches = patches,
     .elements = true,
     .point_stress = point_stress,
+    .stash = stash,
     .free = destroy,
 };

@@ -4,6 +4,7 @@
 
 #include "common/base/fault.h"
 #include "common/base/info.h"
+#include "common/base/stash.h"
 #include "method.h"
 #include "points.h"
 #include "problem.h"
@@ -88,6 +89,13 @@ typedef struct Solver {
 
     /* F and Cauchy stress of every point slot, components row-major (FEM: mean of elements). */
     void (*point_stress)(const void *self, Fields F, Fields sigma);
+
+    /* A solver by another method that goes on with the points of `self`, which is not freed; NULL:
+     * a mesh, whose points are no particles. NULL and a fault as make. */
+    void *(*take_over)(const Setup *setup, void *self, Fault *fault);
+
+    /* Everything that steps change, out or in: the steps that follow have the same bits. */
+    void (*stash)(void *self, Stash *s);
 
     void (*free)(void *self);
 } Solver;

@@ -96,6 +96,24 @@ void gather_start_moments(Sim *sim)
     }
 }
 
+void gather_gradient(Sim *sim, double *const L[NMAT], double *const D[DIM])
+{
+    Work w;
+    for (int k = 0; k < sim->p.n / CHUNK; k++) {
+        const Chunk c = sim_chunk(sim, k);
+        const int width = make_stencils(sim, &c, &w), at = k * CHUNK;
+        for (int d = 0; d < DIM; d++) spread(sim, &w, d, width, D[d] + at);
+        if (!L) continue;
+        gather_line(&sim->g, &w, width, T_G);
+        if (w.on_node && sim->g.body) on_node_gather(sim, &w);
+        unpack_sums(&w, 0, sim->g.cells);
+        for (int a = 0; a < DIM; a++)
+            for (int b = 0; b < DIM; b++)
+                for (int p = 0; p < CHUNK; p++)
+                    L[a * DIM + b][at + p] = w.sums[FLUX + b * DIM + a][p];
+    }
+}
+
 void gather_velocity(Sim *sim)
 {
     const int chunks = sim->p.n / CHUNK;

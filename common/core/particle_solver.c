@@ -134,8 +134,27 @@ static void core_stress(const void *self, Fields F, Fields sigma)
     }
 }
 
+static void *core_take_over(const Setup *setup, void *self, Fault *fault)
+{
+    Core *next = core_make(setup, fault), *before = self;
+    if (!next) return NULL;
+    next->start = before->start;
+    if (!sim_take_over(next->sim, before->sim, fault)) return next;
+    core_free(next);
+    return NULL;
+}
+
+static void core_stash(void *self, Stash *s)
+{
+    Core *c = self;
+    sim_stash(c->sim, s);
+    STASH(s, c->start);
+}
+
 const Solver particle_solver = {
     .make = core_make,
+    .take_over = core_take_over,
+    .stash = core_stash,
     .step = core_step,
     .project = core_project,
     .view = core_view,

@@ -5,7 +5,6 @@
 #include <unistd.h>
 #include "common/contract/layout.h"
 #include "sim.h"
-#include "stretch.h"
 
 /* How far half widths may grow before they are capped: stretch 4, or one cell and a half. */
 static double widest_half(double half)
@@ -209,16 +208,6 @@ static bool start_particles(Sim *sim)
     return true;
 }
 
-/* Widest half width now [cells]. (gcc 12 for arm64 fails at -O3 with `half` inside the loop.) */
-static double widest_now(const Sim *sim)
-{
-    double most = 0;
-    for (int d = 0; d < DIM; d++)
-        for (int s = 0; s < sim->p.n; s++)
-            most = fmax(most, domain_stretch(sim->setup->domain, sim->p.field + AT_F, d, s));
-    return fmin(sim->half * most, sim->half_max);
-}
-
 static int build(Sim *sim, Layout *layout, Fault *fault)
 {
     const Setup *s = sim->setup;
@@ -244,8 +233,7 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
         return fault_set(fault, FAULT_MACHINE, "out of memory");
     fill_particles(sim, layout);
     if (!start_particles(sim)) return fault_set(fault, FAULT_MACHINE, "out of memory");
-    sim->half_now = widest_now(sim);
-    sim->travel = INFINITY; /* not sorted yet */
+    sim_restart(sim);
     return 0;
 }
 

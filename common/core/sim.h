@@ -7,6 +7,7 @@
 #define MPMLAB_SIM_H
 
 #include <stddef.h>
+#include "common/base/stash.h"
 #include "common/contract/method.h"
 #include "common/contract/solver.h"
 
@@ -111,6 +112,17 @@ bool sim_is_valid(const Sim *sim);
 
 /* Sorts particles by cell, rebuilds blocks, padding and live spans; sort.c. */
 void sim_sort(Sim *sim);
+
+/* The particles are new, and in no order: the next step checks and sorts them; sort.c. */
+void sim_restart(Sim *sim);
+
+/* Gives `to`, made for the same scene, the particles of `from`, whose method it follows;
+ * take_over.c. 0 or a fault. */
+int sim_take_over(Sim *to, Sim *from, Fault *fault);
+
+/* Everything that steps change; steps after it was read have the bits of those after it was
+ * written. stash.c. */
+void sim_stash(Sim *sim, Stash *s);
 
 /* G = 0 for particles on nodes, whose slope is not the tent's; returns true; on_node.c. */
 bool on_node_clear_slopes(Stencil *stencil);

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 #include "passes.h"
+#include "stretch.h"
 
 /* Where every particle's stencil stands, per axis: its cell, or its nearest node if stencils are
  * about a node (odd widths), so that neighbours in the order share all their nodes. */
@@ -137,6 +138,22 @@ static void find_spans(Sim *sim, const int order[])
         touch_rows(g, cell, lo, hi, down, up);
     }
     mirror_spans(g);
+}
+
+/* Widest half width now [cells]. (gcc 12 for arm64 fails at -O3 with `half` inside the loop.) */
+static double widest_now(const Sim *sim)
+{
+    double most = 0;
+    for (int d = 0; d < DIM; d++)
+        for (int s = 0; s < sim->p.n; s++)
+            most = fmax(most, domain_stretch(sim->setup->domain, sim->p.field + AT_F, d, s));
+    return fmin(sim->half * most, sim->half_max);
+}
+
+void sim_restart(Sim *sim)
+{
+    sim->half_now = widest_now(sim);
+    sim->travel = INFINITY;
 }
 
 void sim_sort(Sim *sim)

@@ -105,6 +105,7 @@ void loop_record_momentum(Loop *l, const Side *after)
     Vec impulse;
     double square = 0;
     l->plan->solver->impulse(l->self, impulse);
+    for (int d = 0; d < DIM; d++) impulse[d] += l->given[d];
     for (int d = 0; d < DIM; d++) square += pow(after->p[d] - l->p0[d] - impulse[d], 2);
     l->drift = larger(l->drift, sqrt(square));
     l->momentum = larger(l->momentum, after->mv);
@@ -136,7 +137,7 @@ bool loop_open(Loop *l)
 
 void loop_close(Loop *l)
 {
-    for (int d = 0; d < DIM; d++) free(l->from[d]);
+    for (int d = 0; d < DIM; d++) free(l->from[d]), l->from[d] = NULL;
 }
 
 /* Work of body forces over the step from t to t + dt: the mean of their values at both times. */

@@ -3,6 +3,7 @@
 #define MPMLAB_LOOP_H
 
 #include <stdio.h>
+#include "handover.h"
 #include "ledger.h"
 #include "output.h"
 #include "plan.h"
@@ -23,6 +24,11 @@ typedef struct Loop {
     const Plan *plan;
     const volatile sig_atomic_t *stop; /* RunSpec.stop */
     void *self;
+    Handover handover; /* AT_NEVER: none, */
+    long taken_over;   /*   steps done before it; -1: not yet */
+    Counts earlier;    /*   what the first method has counted, */
+    Vec given;         /*   and the impulse that it got [kg m/s] */
+    Stash undo;        /* AT_INVERTED: the particles before the step under way */
     Scratch scratch;
     FILE *history;
     Snapshots shots; /* dir NULL: none are asked for */
@@ -68,6 +74,19 @@ void loop_record_errors(Loop *l, Errors e);
 
 /* True if any point has moved since the last finished step. (A failed step may have moved some.) */
 bool loop_has_moved(const Loop *l);
+
+/* Hand-over, before step `done` is taken: is it due; do it, with *before as it is then. False: a
+ * fault, in l->code. relay.c. */
+bool relay_is_due(const Loop *l);
+bool relay_take_over(Loop *l, Side *before);
+
+/* Keeps what the step to come may break, and whether a step that broke it is to be taken again by
+ * the second method. */
+void relay_before_step(Loop *l);
+bool relay_rescues(Loop *l, Side *before);
+
+/* Room for the largest number of slots that particles may need; false: none. run.c. */
+bool loop_fit_scratch(Loop *l);
 
 /* Fill the row: the run's inputs, its numbers of particles and nodes, its results. */
 void report_inputs(const RunSpec *spec, const Plan *plan, Row *row);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "handover.h"
 #include "settings.h"
 #include "common/core/step.h"
 
@@ -46,6 +47,7 @@ static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
                             settings_common};
     const char *names[3 * MAX_PARAMS];
     int n = 0;
+    if (handover_is_setting(name)) return 0;
     for (int l = 0; l < 3; l++) {
         if (param_find(lists[l], name)) return 0;
         for (int k = 0; k < param_count(lists[l]); k++) names[n++] = lists[l][k].name;
@@ -261,8 +263,9 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     s->snapshot_nodes = plan->scene.problem->projection || spec->nodes || spec->vtk;
     plan->steps = (long)run[P_STEPS];
     plan->stop_growth = run[P_STOP] > 0;
+    Handover handover;
     if (choose_ppc(spec, plan, run, fault) || choose_times(spec, plan, fault) ||
-        spell_out(spec, plan, fault))
+        handover_plan(spec, plan, &handover, fault) || spell_out(spec, plan, fault))
         return FAULT_USAGE;
     return 0;
 }

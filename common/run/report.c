@@ -32,6 +32,18 @@ static void say_status(const Loop *l, Row *row)
                  l->status.code == INVERTED ? "J" : "x", l->status.value);
 }
 
+/* When the second method took over; behind what the reason is already. */
+static void say_handover(const Loop *l, Row *row)
+{
+    const size_t n = strlen(row->reason);
+    const char *then = l->handover.plan.method->name, *after = n ? "; " : "";
+    if (l->taken_over >= 0)
+        snprintf(row->reason + n, sizeof row->reason - n, "%s%s from step %ld t=%.6g on", after,
+                 then, l->taken_over + 1, (double)l->taken_over * l->dt);
+    else
+        snprintf(row->reason + n, sizeof row->reason - n, "%snever handed over to %s", after, then);
+}
+
 static double known(double count)
 {
     return count >= 0 ? count : NAN;
@@ -55,6 +67,13 @@ void report_counts(const Loop *l, Row *row)
 {
     Counts c;
     l->plan->solver->counts(l->self, &c);
+    if (l->taken_over >= 0) { /* the row is the first method's; nodes the most, fallbacks the sum */
+        const Counts second = c;
+        c = l->earlier;
+        if (second.nodes > c.nodes) c.nodes = second.nodes;
+        if (second.fallbacks >= 0)
+            c.fallbacks = second.fallbacks + (c.fallbacks > 0 ? c.fallbacks : 0);
+    }
     row->ppc = c.ppc;
     row->particles = c.particles;
     row->surface_particles = c.surface;
@@ -75,6 +94,7 @@ void report_results(const Loop *l, Row *row)
     row->cpu_s = l->cpu;
     row->wall_s = l->wall;
     say_status(l, row);
+    if (l->handover.at != AT_NEVER) say_handover(l, row);
     if (problem->projection) return;
     row->dt = l->dt;
     if (l->instants > 1) row->energy_drift = (l->now - l->start) / l->largest;

@@ -63,7 +63,10 @@ static void run_steps(Loop *l)
         l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
     for (; l->done < l->n && !grown(l) && !l->code && !stopped(l); l->done++) {
         const double t = (double)l->done * l->dt;
+        if (relay_is_due(l) && !relay_take_over(l, &before)) return;
+        relay_before_step(l);
         take_step(l, t);
+        if (relay_rescues(l, &before)) take_step(l, t);
         if (l->status.code != OK) {
             l->failed_at = t + l->dt;
             return;
@@ -159,7 +162,7 @@ static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
 }
 
 /* Allocates room for the largest number of slots that particles may need. */
-static bool fit_scratch(Loop *l)
+bool loop_fit_scratch(Loop *l)
 {
     Points p;
     Samples q;
@@ -176,7 +179,7 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
         if (!code) shoot(l, 0, true);
     } else {
         choose_dt(l);
-        if (!fit_scratch(l) || !loop_open(l))
+        if (!loop_fit_scratch(l) || !loop_open(l))
             return fault_set(fault, FAULT_MACHINE, "out of memory");
         if (spec->errors && isnan(errors_now(l, 0).linf)) return plan_no_exact_motion(spec, fault);
         run_steps(l);
@@ -199,6 +202,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     Plan plan;
     Loop l = {.plan = &plan,
               .stop = spec->stop,
+              .taken_over = -1,
               .growth_step = -1,
               .worst = norm_no_errors,
               .drift = NAN};
@@ -208,6 +212,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     l.shots = (Snapshots){.dir = own.vtk, .every = own.every, .every_s = own.every_s};
     l.fault = fault;
     report_inputs(&own, &plan, row);
+    if (handover_plan(&own, &plan, &l.handover, fault)) return FAULT_USAGE;
     if (spec_files_check(spec, fault) || (spec->vtk && snapshot_check(spec->vtk, fault)))
         return FAULT_MACHINE;
     if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
@@ -215,6 +220,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     l.self = plan.solver->make(&plan.setup, fault);
     code = l.self ? run_plan(&own, &l, row, fault) : fault->code;
     if (l.self) plan.solver->free(l.self);
+    if (l.undo.f) fclose(l.undo.f);
     norm_scratch_free(&l.scratch);
     loop_close(&l);
     snapshot_free(&l.shots);

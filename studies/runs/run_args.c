@@ -19,6 +19,10 @@ const Option run_args_options[] = {
     {"t-end", "T", "end of the run [s]"},
     {"threads", "N", "threads inside the run (default 1)"},
     {"set", "NAME=VALUE", "a parameter of problem, method or run; may be repeated"},
+    {"then", "M", "go on with another method on the same particles, from --at on"},
+    {"at", "WHEN",
+     "when: a time [s], inverted (instead of that step) or J=x (least det F below x)"},
+    {"then-set", "NAME=VALUE", "a parameter of the second method; may be repeated"},
     {"csv", "FILE", "append the row to FILE, too"},
     {"history", "FILE", "write energies and errors of every step"},
     {"particles", "FILE", "write the particles at the end"},
@@ -129,6 +133,33 @@ static int take_set(RunArgs *args, const char *got, Fault *fault)
     return spec_set(&args->spec, got, fault);
 }
 
+/* A hand-over is part of the settings, which make up a row's parameters. */
+static int set_text(RunArgs *args, const char *option, const char *before, const char *got,
+                    Fault *fault)
+{
+    char pair[128];
+    const int n = snprintf(pair, sizeof pair, "%s%s", before, got);
+    if (n < (int)sizeof pair && spec_set(&args->spec, pair, NULL) == 0) return 0;
+    return option_refuse(fault, option, got,
+                         strcmp(before, "then_") == 0 ? "NAME=VALUE" : "one word", NULL, 0);
+}
+
+static int take_then(RunArgs *args, const char *got, Fault *fault)
+{
+    if (engine_check_method("--then", got, fault)) return FAULT_USAGE;
+    return set_text(args, "--then", "then=", got, fault);
+}
+
+static int take_at(RunArgs *args, const char *got, Fault *fault)
+{
+    return set_text(args, "--at", "at=", got, fault);
+}
+
+static int take_then_set(RunArgs *args, const char *got, Fault *fault)
+{
+    return set_text(args, "--then-set", "then_", got, fault);
+}
+
 static int take_threads(RunArgs *args, const char *got, Fault *fault)
 {
     return option_whole("--threads", got, 1024, &args->spec.threads, fault);
@@ -162,8 +193,11 @@ static int take_quiet(RunArgs *args, const char *got, Fault *fault)
 static const struct {
     const char *option;
     int (*take)(RunArgs *args, const char *got, Fault *fault);
-} others[] = {{"method", take_method},   {"integrator", take_integrator}, {"set", take_set},
-              {"threads", take_threads}, {"every", take_every},           {"quiet", take_quiet}};
+} others[] = {{"method", take_method},   {"integrator", take_integrator},
+              {"set", take_set},         {"then", take_then},
+              {"at", take_at},           {"then-set", take_then_set},
+              {"threads", take_threads}, {"every", take_every},
+              {"quiet", take_quiet}};
 
 static int take(void *into, const char *name, const char *got, Fault *fault)
 {

@@ -182,6 +182,26 @@ for command in list --help --version "run squeeze" "describe gimp"; do
     ok "$command into a full disk" test $? -eq 1 -a "$(lines err)" -eq 1
 done
 
+# A hand-over: its settings are the row's parameters, which run it again; a row of the first method
+words="run ring --cells 8 --method wls2 --then gimp --at .0100 --then-set domain=undeformed"
+run $words
+cp out then.csv
+ok "--then: the row: $(cat err)" test "$status" -eq 0 -a "$(tail -n 1 out | cut -d, -f2)" = wls2
+ok "--then: its parameters" grep -qE ';at=0.01;.*;then=gimp;then_domain=undeformed;' out
+ok "--then: when it was" grep -q 'gimp from step 28 t=0.01' out
+run run ring --cells 8 --method wls2 --set then_domain=undeformed --set then=gimp --set at=0.01
+ok "--then: by its parameters again" cmp -s <(timeless out) <(timeless then.csv)
+run $words --threads 2
+ok "--then: by two threads" cmp -s <(timeless out) <(timeless then.csv)
+run run ring --cells 8 --method gimp --then gimp --at .01
+cp out twice.csv
+run run ring --cells 8 --method gimp
+ok "--then the same method: the same error" test "$(tail -n 1 out | cut -d, -f12 | cut -c1-12)" = "$(tail -n 1 twice.csv | cut -d, -f12 | cut -c1-12)"
+run run hanging_bar --method wls2 --then gimp --at inverted
+ok "--at inverted goes on" test "$(tail -n 1 out | cut -d, -f10)" -gt 250
+run run ring --cells 8 --then mpm --at J=.01
+ok "--at J that never comes" grep -q 'never handed over to mpm' out
+
 # Studies: whole, resumed, killed, two at once
 mkdir plotless # no gnuplot there: figures are not what is asked
 PATH=$work/plotless "$program" study all --quick --method ge_mpm --out lines >out 2>err
