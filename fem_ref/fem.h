@@ -47,6 +47,7 @@ typedef struct Fem {
     Wall barrier[MAX_WALLS]; /* walls that a node may run into */
     int barriers;
     double edge;   /* [m] length in the time step limit */
+    bool moved;    /* by the last step */
     Status status; /* of the current positions */
     void *memory;  /* all arrays, */
     size_t bytes;  /*   so many */

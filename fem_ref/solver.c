@@ -33,7 +33,8 @@ static Status step(void *self, double t, double dt, bool first)
 {
     Fem *f = self;
     const Problem *problem = f->scene->problem;
-    if (f->status.code != OK) return f->status;
+    f->moved = f->status.code == OK;
+    if (!f->moved) return f->status;
     if (problem->impose) problem->impose(f->scene, f->nodes, (const double *const *)f->x, t, f->v);
     fem_move(f, t, dt, first);
     fem_strain(f);
@@ -59,6 +60,7 @@ static void counts(const void *self, Counts *out)
     *out = (Counts){.ppc = NAN,
                     .particles = f->nodes,
                     .surface = 0,
+                    .moved = f->moved,
                     .elements = f->elements,
                     .nodes = -1,
                     .fallbacks = -1};

@@ -52,6 +52,7 @@ typedef struct Counts {
     int surface;    /* surface particles */
     int elements;   /* FEM; -1 otherwise */
     long nodes;     /* most live grid nodes at any step; -1: no step got that far, or FEM */
+    bool moved;     /* the last step has moved the points, whatever its end */
     long fallbacks; /* nodes that fell back from their method's own rule; -1: has none */
 } Counts;
 

@@ -104,6 +104,7 @@ static void core_counts(const void *self, Counts *counts)
                        .particles = sim->p.count - sim->surface,
                        .surface = sim->surface,
                        .elements = -1,
+                       .moved = sim->moved,
                        .nodes = sim->nodes > 0 ? sim->nodes : -1,
                        .fallbacks = sim->method.assemble ? sim->fallbacks : -1};
 }

@@ -99,6 +99,7 @@ typedef struct Sim {
     double dx;        /* 1/cells [m] */
     int surface;      /* surface particles, if the method has any */
     long fallbacks;   /* nodes that fell back from their method's own rule, summed over steps */
+    bool moved;       /* the last step has moved the particles */
     Status status;    /* what ended the run: no step is taken after it */
 } Sim;
 

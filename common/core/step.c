@@ -129,6 +129,7 @@ static Status take_passes(Sim *sim, double t, double dt, bool first)
         solve_all(sim, dt, scale, pass->force);
         if (sim->live == 0) return without_support(sim);
         if (filter) filter_all(sim, dt, pass->force);
+        sim->moved = pass->take & (TAKE_X | MOVE_STASH);
         if (gather_all(sim, dt, pass->take | (s->refresh ? pass->fresh : 0))) {
             const Status status = sim_check(sim);
             if (status.code != OK) return status;
@@ -141,6 +142,7 @@ static Status take_passes(Sim *sim, double t, double dt, bool first)
 
 Status sim_step(Sim *sim, double t, double dt, bool first)
 {
+    sim->moved = false;
     if (sim->status.code == OK) sort_if_due(sim);
     if (sim->status.code == OK) impose_motion(sim, t);
     if (sim->status.code == OK) sim->status = take_passes(sim, t, dt, first);

@@ -25,7 +25,7 @@ int output_errors(const char *path, const Scene *scene, const Points *p, double 
     int count, *slot = slots_with_mass(p, &count);
     if (!slot) return fault_set(fault, FAULT_MACHINE, "out of memory writing %s", path);
     FILE *out = file_begin(path, fault);
-    norm_displacement(scene, p, t, s);
+    norm_displacement(scene, p, t, 1, s);
     if (out) fputs("id,X,Y,error,weight,Z\n", out);
     for (int id = 0; out && id < count; id++) {
         const int k = slot[id];

@@ -13,13 +13,10 @@ static Points points_of(const Loop *l)
     return p;
 }
 
-Side loop_measure_side(const Loop *l)
+Side loop_measure_side(Loop *l)
 {
     const Points p = points_of(l);
-    Side s;
-    s.kinetic = ledger_kinetic(&p);
-    s.mv = ledger_momentum(&p, s.p);
-    return s;
+    return ledger_motion(&p, l->plan->setup.threads, &l->scratch);
 }
 
 void loop_measure_state(Loop *l, Moment *m)
@@ -27,7 +24,7 @@ void loop_measure_state(Loop *l, Moment *m)
     Points p;
     Samples q;
     l->plan->solver->view(l->self, &p, &q);
-    m->strain = ledger_strain(&l->plan->scene, &q, &l->scratch);
+    m->strain = ledger_strain(&l->plan->scene, &q, l->plan->setup.threads, &l->scratch);
     if (!l->history) return;
     const Volumes v = ledger_volumes(&q);
     m->volume = v.sum;
@@ -129,6 +126,7 @@ bool loop_open(Loop *l)
 {
     const Points p = points_of(l);
     bool ok = true;
+    if (!l->plan->scene.problem->body) return true;
     for (int d = 0; d < DIM; d++)
         ok = (l->from[d] = malloc(sizeof(double) * (size_t)(p.n + 1))) && ok;
     if (ok) keep_positions(l, &p);
@@ -145,17 +143,9 @@ void loop_record_work(Loop *l, double t)
 {
     const Scene *scene = &l->plan->scene;
     const Points p = points_of(l);
+    if (!scene->problem->body) return;
     const double *const *from = (const double *const *)l->from;
     l->work += 0.5 * (ledger_work(scene, &p, from, t, &l->scratch) +
                       ledger_work(scene, &p, from, t + l->dt, &l->scratch));
     keep_positions(l, &p);
-}
-
-bool loop_has_moved(const Loop *l)
-{
-    const Points p = points_of(l);
-    for (int d = 0; d < DIM; d++)
-        for (int k = 0; k < p.n; k++)
-            if (p.id[k] >= 0 && !(p.x[d][k] == l->from[d][p.id[k]])) return true;
-    return false;
 }

@@ -9,12 +9,6 @@
 #include "plan.h"
 #include "snapshot.h"
 
-/* Energy and momentum at a half step: before or after a time step. */
-typedef struct Side {
-    double kinetic, mv; /* [J] [kg m/s] sum m |v| */
-    Vec p;              /* [kg m/s] */
-} Side;
-
 /* Kinetic energy of one instant, and the part of it that the time step leaves undetermined [J]. */
 typedef struct Counted {
     double kinetic, open;
@@ -44,7 +38,7 @@ typedef struct Loop {
     double noise;               /* [J] round-off of stored energy */
     long instants;              /* whose energy is recorded */
     double work;                /* [J] of body forces on the steps finished */
-    double *from[DIM];          /* [m] positions by id after the last finished step; owned */
+    double *from[DIM]; /* [m] positions by id after the last step, for work; owned, or NULL */
     Vec p0;
     double drift, momentum; /* largest |p - p0 - impulse|, largest sum m |v| */
     Status status;
@@ -59,7 +53,7 @@ typedef struct Loop {
 bool loop_open(Loop *l);
 void loop_close(Loop *l);
 
-Side loop_measure_side(const Loop *l);
+Side loop_measure_side(Loop *l);
 void loop_measure_state(Loop *l,
                         Moment *m); /* what depends on positions and F: energy, volume, ... */
 
@@ -71,9 +65,6 @@ void loop_record_energy(Loop *l, Moment *m, const Side *before, const Side *afte
 void loop_record_momentum(Loop *l, const Side *after);
 void loop_record_work(Loop *l, double t); /* of the step from t that has just been finished */
 void loop_record_errors(Loop *l, Errors e);
-
-/* True if any point has moved since the last finished step. (A failed step may have moved some.) */
-bool loop_has_moved(const Loop *l);
 
 /* Hand-over, before step `done` is taken: is it due; do it, with *before as it is then. False: a
  * fault, in l->code. relay.c. */

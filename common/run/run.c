@@ -23,7 +23,7 @@ static Errors errors_now(Loop *l, double t)
     Samples q;
     if (!l->plan->scene.problem->exact) return (Errors){NAN, NAN, NAN};
     l->plan->solver->view(l->self, &p, &q);
-    return norm_displacement(&l->plan->scene, &p, t, &l->scratch);
+    return norm_displacement(&l->plan->scene, &p, t, l->plan->setup.threads, &l->scratch);
 }
 
 static void take_step(Loop *l, double t)
@@ -134,7 +134,9 @@ static int project(Loop *l, Fault *fault)
 /* Number of steps that moved the particles: a failed step counts if it did. */
 static long steps_moved(const Loop *l)
 {
-    return l->done + (l->status.code != OK && loop_has_moved(l));
+    Counts c;
+    l->plan->solver->counts(l->self, &c);
+    return l->done + (l->status.code != OK && c.moved);
 }
 
 static int write_errors_now(const char *path, Loop *l, Fault *fault)

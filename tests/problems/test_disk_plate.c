@@ -167,16 +167,19 @@ static void run_block(const Method *method, bool releases, double speed, int ste
     CU_ASSERT_PTR_NOT_NULL_FATAL(self);
     Points p;
     Samples q;
-    Vec given, before, after;
+    Vec given;
+    Scratch scratch = {0};
     particle_solver.view(self, &p, &q);
-    ledger_momentum(&p, before);
+    CU_ASSERT_FATAL(norm_scratch_fit(&scratch, p.n));
+    const Side before = ledger_motion(&p, 1, &scratch);
     for (int k = 0; k < steps; k++)
         CU_ASSERT(particle_solver.step(self, 0.01 * k, 0.01, k == 0).code == OK);
     particle_solver.view(self, &p, &q);
-    ledger_momentum(&p, after);
+    const Side after = ledger_motion(&p, 1, &scratch);
     particle_solver.impulse(self, given);
-    *gained = (after[1] - before[1]) / fabs(before[1]);
-    *impulse = given[1] / fabs(before[1]);
+    *gained = (after.p[1] - before.p[1]) / fabs(before.p[1]);
+    *impulse = given[1] / fabs(before.p[1]);
+    norm_scratch_free(&scratch);
     particle_solver.free(self);
 }
 
