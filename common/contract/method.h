@@ -91,6 +91,7 @@ typedef struct Method {
     bool linear_exact;       /* projects linear fields exactly from any particle set */
     bool surface;            /* needs surface particles: */
     double surface_per_cell; /* so many along a cell's length; 0: as dense as particles */
+    bool scene_distance;     /* asks the scene for distances from its surface */
     bool about_node;         /* sorted by nearest node, though an odd stencil does not ask for it */
     bool wall_images;        /* gathers from images of nodes beyond walls, not from held nodes */
     bool smooth;             /* weights are C1: S ~ eps^2, dS/dx ~ eps at the edge of a support */

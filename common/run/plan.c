@@ -207,6 +207,25 @@ int plan_no_exact_motion(const RunSpec *spec, Fault *fault)
                      spec->errors);
 }
 
+/* A method that, with these parameters, asks the scene for distances which it does not have. */
+static int check_distance(const RunSpec *spec, const Plan *plan, Fault *fault)
+{
+    const Method *m = plan->setup.method;
+    if (!m || plan->scene.problem->distance) return 0;
+    Method own = *m;
+    if (own.adapt) own.adapt(plan->method_par, &own);
+    if (!own.scene_distance) return 0;
+    char known[128] = "none";
+    for (size_t k = 0, at = 0; problems[k]; k++)
+        if (problems[k]->distance && at < sizeof known)
+            at += (size_t)snprintf(known + at, sizeof known - at, "%s%s", at ? ", " : "",
+                                   problems[k]->info.name);
+    return fault_set(fault, FAULT_USAGE,
+                     "--set distance: got 'exact', takes a scene of %dD that knows its distance "
+                     "(%s), not %s",
+                     DIM, known, spec->problem);
+}
+
 /* Outputs that this run cannot have are refused before it begins. */
 static int check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
 {
@@ -253,7 +272,8 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
         whole("subcycles", run[P_SUBCYCLES], fault) ||
         read_params(spec, plan->method->params, plan->method_par, fault) ||
         make_scene(spec, plan, fault) || settings_integrator(spec, plan, run, fault) ||
-        settings_strain(spec, plan, run, fault) || check_outputs(spec, plan, fault))
+        settings_strain(spec, plan, run, fault) || check_distance(spec, plan, fault) ||
+        check_outputs(spec, plan, fault))
         return FAULT_USAGE;
     s->scene = &plan->scene;
     s->method_par = plan->method_par;
