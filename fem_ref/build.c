@@ -188,6 +188,7 @@ Fem *fem_new(const Setup *setup, Fault *fault)
     }
     f->scene = setup->scene;
     f->integrate = setup->method_par && setup->method_par[0] > 0 && setup->scene->problem->body;
+    f->reactions = setup->reactions;
     f->nodes = mesh.nodes;
     f->elements = mesh.elements;
     f->slots = (mesh.elements + CHUNK - 1) / CHUNK * CHUNK;

@@ -31,7 +31,9 @@ typedef struct Fem {
     double *m, *V0;                   /* [kg] [m^DIM] lumped mass, share of the volume */
     double *keep[DIM];                /* 1; 0 where the component is held for good */
     double *given[DIM];               /* [kg m/s] momentum from body forces and walls so far */
-    int (*touching)[VALENCE];         /* corners that meet in the node; its rest: no_force */
+    Vec outside;                      /* [kg m/s] from body forces alone, if `reactions` */
+    bool reactions;
+    int (*touching)[VALENCE]; /* corners that meet in the node; its rest: no_force */
     int *id;
 
     int *corner[CORNERS]; /* counter-clockwise */

@@ -144,12 +144,25 @@ static void move_block(Fem *f, int lo, double t, double dt, double dt_v)
         for (int d = 0; d < DIM; d++) f->now[i][d] = f->x[d][i];
 }
 
+/* Adds the momentum that the body force gives over dt. */
+static void record_outside(Fem *f, double t, double dt)
+{
+    double b[DIM][BLOCK];
+    for (int lo = 0; lo < f->nodes; lo += BLOCK) {
+        const int n = f->nodes - lo < BLOCK ? f->nodes - lo : BLOCK;
+        body_force(f, lo, n, t, b);
+        for (int d = 0; d < DIM; d++)
+            for (int i = 0; i < n; i++) f->outside[d] += dt * f->m[lo + i] * b[d][i];
+    }
+}
+
 void fem_move(Fem *f, double t, double dt, bool first)
 {
     const double dt_v = first ? 0.5 * dt : dt;
     const int slots = f->integrate ? f->slots : 0;
 #pragma omp parallel for schedule(static) num_threads(f->threads)
     for (int start = 0; start < slots; start += CHUNK) pull_chunk(f, start, t);
+    if (f->reactions) record_outside(f, t, dt_v);
 #pragma omp parallel for schedule(static) num_threads(f->threads)
     for (int lo = 0; lo < f->nodes; lo += BLOCK) move_block(f, lo, t, dt, dt_v);
 }

@@ -73,6 +73,11 @@ static void impulse(const void *self, Vec out)
     }
 }
 
+static void outside(const void *self, Vec out)
+{
+    for (int d = 0; d < DIM; d++) out[d] = ((const Fem *)self)->outside[d];
+}
+
 /* Adds the F and sigma of element e, of a chunk with Kirchhoff stress T, to its nodes. */
 static void share(const Fem *f, int e, const Field T[NMAT], Fields F, Fields sigma)
 {
@@ -149,6 +154,7 @@ const Solver solver_fem = {
     .view = view,
     .counts = counts,
     .impulse = impulse,
+    .outside = outside,
     .patches = patches,
     .elements = true,
     .point_stress = point_stress,

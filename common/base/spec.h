@@ -4,7 +4,14 @@
 
 #include "fault.h"
 
-enum { SPEC_SETS = 32, SPEC_TEXT = 3072 };
+enum { SPEC_SETS = 32, SPEC_TEXT = 3072, SPEC_PROBES = 16 };
+
+/* A place in the reference body [m], with as many coordinates as were typed. */
+typedef struct Probe {
+    double X[3];
+    int axes;
+    const char *text; /* as typed; not owned */
+} Probe;
 
 typedef struct Setting {
     char name[32], value[32];
@@ -28,6 +35,8 @@ typedef struct RunSpec {
     const char *vtk;                         /* folder for snapshots, or NULL */
     int every;                               /* steps between snapshots; */
     double every_s;                          /*   or time between them [s] */
+    int nprobe;                              /* points whose motion the history follows */
+    Probe probe[SPEC_PROBES];
 } RunSpec;
 
 /* Adds NAME=VALUE to the settings (replacing an earlier NAME). 0, or a fault with code 2. */

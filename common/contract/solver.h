@@ -32,6 +32,7 @@ typedef struct Setup {
     StrainUpdate strain; /* of F */
     int subcycles;       /* of STRAIN_SUBCYCLED, >= 1 */
     bool snapshot_nodes; /* nodes() will be called */
+    bool reactions;      /* outside() will be called */
     int threads;
 } Setup;
 
@@ -71,6 +72,9 @@ typedef struct Solver {
 
     /* Momentum [kg m/s] that body forces and boundary conditions have given since the start. */
     void (*impulse)(const void *self, Vec out);
+
+    /* The part of it that body forces have given; measured if setup->reactions asks for it. */
+    void (*outside)(const void *self, Vec out);
 
     /* Shows every polygon of the mesh or of the grid's cells as the last step had them; NULL: none.
      * `elements`: they carry strain, in a fixed order. */

@@ -113,6 +113,11 @@ static void core_impulse(const void *self, Vec out)
     for (int d = 0; d < DIM; d++) out[d] = ((const Core *)self)->sim->impulse[d];
 }
 
+static void core_outside(const void *self, Vec out)
+{
+    for (int d = 0; d < DIM; d++) out[d] = ((const Core *)self)->sim->outside[d];
+}
+
 static void core_patches(const void *self, PatchVisit *visit, void *own)
 {
     const Sim *sim = ((const Core *)self)->sim;
@@ -142,6 +147,7 @@ const Solver particle_solver = {
     .nodes = core_nodes,
     .counts = core_counts,
     .impulse = core_impulse,
+    .outside = core_outside,
     .patches = core_patches,
     .point_stress = core_stress,
     .free = core_free,

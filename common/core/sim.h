@@ -95,6 +95,7 @@ typedef struct Sim {
     double mass_body; /* nodes with less get no stress from particles on nodes [kg] */
     long nodes, live; /* most live nodes so far; those of the last solve */
     Vec impulse;      /* [kg m/s] given by body forces and walls so far */
+    Vec outside;      /* [kg m/s] by body forces alone, if setup->reactions */
     double dx;        /* 1/cells [m] */
     int surface;      /* surface particles, if the method has any */
     long fallbacks;   /* nodes that fell back from their method's own rule, summed over steps */

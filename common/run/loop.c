@@ -29,6 +29,7 @@ void loop_measure_state(Loop *l, Moment *m)
     l->plan->solver->view(l->self, &p, &q);
     m->strain = ledger_strain(&l->plan->scene, &q, &l->scratch);
     if (!l->history) return;
+    probes_measure(&l->probes, &l->plan->scene, l->plan->solver, l->self, m->probe);
     const Volumes v = ledger_volumes(&q);
     m->volume = v.sum;
     m->least_J = v.least;
@@ -94,6 +95,11 @@ void loop_record_energy(Loop *l, Moment *m, const Side *before, const Side *afte
     const double stored = m->kinetic + m->strain;
     m->work = l->work;
     l->now = stored - l->work;
+    if (l->history) {
+        const bool half = l->instants == 0 && step_half_first(l->plan->setup.integrator);
+        reactions_measure(&l->reactions, &l->plan->scene, l->plan->solver, l->self,
+                          half ? 0.5 * l->dt : l->dt, m->wall);
+    }
     if (l->instants++ == 0) l->start = l->now;
     l->largest = larger(l->largest, stored);
     if (is_growth(l, m, 0.5 * of_change(before, after)) && l->growth_step < 0) note_growth(l);

@@ -6,6 +6,7 @@
 #include "ledger.h"
 #include "output.h"
 #include "plan.h"
+#include "probe.h"
 #include "snapshot.h"
 
 /* Energy and momentum at a half step: before or after a time step. */
@@ -46,6 +47,8 @@ typedef struct Loop {
     int fastest;      /* point then, and its speed [m/s] */
     double speed;
     Moment last; /* what is known of the last instant */
+    Probes probes;
+    Reactions reactions;
 } Loop;
 
 /* Stores the positions of all points for loop_record_work; frees them. false: out of memory. */
