@@ -207,11 +207,14 @@ Fem *fem_new(const Setup *setup, Fault *fault)
     for (int lo = 0; lo < f->nodes; lo += CHUNK)
         start_block(f, lo, f->nodes - lo < CHUNK ? f->nodes - lo : CHUNK);
     fem_strain(f);
-    return f;
+    if (fem_find_sides(f)) return f;
+    fault_set(fault, FAULT_MACHINE, "fem: no memory");
+    fem_free(f);
+    return NULL;
 }
 
 void fem_free(Fem *f)
 {
-    if (f) free(f->memory);
+    if (f) fem_free_sides(f), free(f->memory);
     free(f);
 }

@@ -73,6 +73,11 @@ static void impulse(const void *self, Vec out)
     }
 }
 
+static double work(const void *self)
+{
+    return fem_work(self);
+}
+
 static void outside(const void *self, Vec out)
 {
     for (int d = 0; d < DIM; d++) out[d] = ((const Fem *)self)->outside[d];
@@ -154,6 +159,7 @@ const Solver solver_fem = {
     .view = view,
     .counts = counts,
     .impulse = impulse,
+    .work = work,
     .outside = outside,
     .patches = patches,
     .elements = true,

@@ -4,7 +4,7 @@
 
 #include "fault.h"
 
-enum { SPEC_SETS = 32, SPEC_TEXT = 3072, SPEC_PROBES = 16 };
+enum { SPEC_SETS = 32, SPEC_TEXT = 3072, SPEC_PROBES = 16, PROBE_COLUMNS = 9 };
 
 /* A place in the reference body [m], with as many coordinates as were typed. */
 typedef struct Probe {

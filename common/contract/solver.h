@@ -73,7 +73,11 @@ typedef struct Solver {
     /* Momentum [kg m/s] that body forces and boundary conditions have given since the start. */
     void (*impulse)(const void *self, Vec out);
 
-    /* The part of it that body forces have given; measured if setup->reactions asks for it. */
+    /* Work [J] of tractions since the start, the mean of both ends of every step. */
+    double (*work)(const void *self);
+
+    /* The part of the impulse that body forces and tractions have given; measured if
+     * setup->reactions asks for it. */
     void (*outside)(const void *self, Vec out);
 
     /* Shows every polygon of the mesh or of the grid's cells as the last step had them; NULL: none.

@@ -94,7 +94,7 @@ void loop_record_energy(Loop *l, Moment *m, const Side *before, const Side *afte
 {
     const double stored = m->kinetic + m->strain;
     m->work = l->work;
-    l->now = stored - l->work;
+    l->now = stored - m->work;
     if (l->history) {
         const bool half = l->instants == 0 && step_half_first(l->plan->setup.integrator);
         reactions_measure(&l->reactions, &l->plan->scene, l->plan->solver, l->self,
@@ -151,8 +151,9 @@ void loop_record_work(Loop *l, double t)
     const Scene *scene = &l->plan->scene;
     const Points p = points_of(l);
     const double *const *from = (const double *const *)l->from;
-    l->work += 0.5 * (ledger_work(scene, &p, from, t, &l->scratch) +
-                      ledger_work(scene, &p, from, t + l->dt, &l->scratch));
+    l->bodies += 0.5 * (ledger_work(scene, &p, from, t, &l->scratch) +
+                        ledger_work(scene, &p, from, t + l->dt, &l->scratch));
+    l->work = l->bodies + (scene->traction ? l->plan->solver->work(l->self) : 0);
     keep_positions(l, &p);
 }
 

@@ -7,8 +7,6 @@
 #include "common/base/spec.h"
 #include "common/contract/solver.h"
 
-enum { PROBE_COLUMNS = 9 }; /* ux,uy,uz,sxx,syy,szz,sxy,sxz,syz */
-
 /* One instant of a run. */
 typedef struct Moment {
     double t;                     /* [s] */

@@ -2,8 +2,8 @@
 #ifndef MPMLAB_PROBE_H
 #define MPMLAB_PROBE_H
 
-#include "output.h"
 #include "common/base/spec.h"
+#include "common/contract/solver.h"
 
 /* The points followed, by id, and room for the stress of all points. */
 typedef struct Probes {

@@ -1,0 +1,200 @@
+/* skin.c: see skin.h. The force of a point is its reference area times the nominal traction P N,
+ * shared among the corners of its cell that have mass by tents (scaled up to a sum of 1, so that no
+ * force is lost where a corner is empty; in a cell without mass all goes to the nearest node that
+ * has some). The point moves with the same weights, so that its work is the grid's. */
+#include "skin.h"
+#include <stdlib.h>
+#include "common/contract/layout.h"
+#include "sim.h"
+
+enum { SKIN_CORNERS = 1 << DIM };
+
+/* Corners of a point's cell and their weights. */
+typedef struct Foot {
+    size_t node[SKIN_CORNERS];
+    double weight[SKIN_CORNERS];
+} Foot;
+
+struct Skin {
+    int n;
+    double *X[DIM], *N[DIM], *x[DIM]; /* [m] [-] [m] reference, its outward normal, current */
+    double *area;                     /* [m^(DIM-1)] share of the reference surface */
+    double *force[DIM];               /* [N] */
+    double *move[DIM];                /* [m] of the last step */
+    Foot *foot;                       /* of the last deposit */
+    double work;
+    double *memory;
+};
+
+static bool allocate(Skin *s, int n)
+{
+    double **const fields[] = {s->X, s->N, s->x, s->force, s->move};
+    const int count = sizeof fields / sizeof *fields;
+    s->n = n;
+    s->memory = calloc((size_t)(count * DIM + 1) * (size_t)(n + 1), sizeof(double));
+    s->foot = calloc((size_t)n + 1, sizeof *s->foot);
+    if (!s->memory || !s->foot) return false;
+    for (int f = 0; f < count; f++)
+        for (int d = 0; d < DIM; d++) fields[f][d] = s->memory + (size_t)(f * DIM + d) * (size_t)n;
+    s->area = s->memory + (size_t)(count * DIM) * (size_t)n;
+    return true;
+}
+
+/* x = X + u of the scene's start. */
+static bool place(Skin *s, const Scene *scene)
+{
+    const size_t n = (size_t)s->n;
+    double *room = calloc((2 * NMAT + DIM) * (n + 1), sizeof(double));
+    double *v[DIM], *F[NMAT], *L[NMAT];
+    if (!room) return false;
+    for (int d = 0; d < DIM; d++) v[d] = room + (size_t)d * n;
+    for (int k = 0; k < NMAT; k++) {
+        F[k] = room + (size_t)(DIM + k) * n;
+        L[k] = room + (size_t)(DIM + NMAT + k) * n;
+        for (size_t p = 0; p < n; p++) F[k][p] = k % (DIM + 1) == 0;
+    }
+    if (scene->problem->start)
+        scene->problem->start(scene, s->n, (const double *const *)s->X, s->x, v, F, L);
+    for (int d = 0; d < DIM; d++)
+        for (size_t p = 0; p < n; p++) s->x[d][p] += s->X[d][p];
+    free(room);
+    return true;
+}
+
+bool skin_new(Skin **out, const Scene *scene, double spacing)
+{
+    Layout points = {0};
+    if (!scene->traction) return true;
+    scene->problem->surface(scene, spacing, &points);
+    Skin *s = *out = calloc(1, sizeof *s);
+    bool ok = s && !points.lost && allocate(s, points.n);
+    for (int p = 0; ok && p < s->n; p++) {
+        s->area[p] = points.volume[p];
+        for (int d = 0; d < DIM; d++) {
+            s->X[d][p] = points.X[d][p];
+            s->N[d][p] = points.normal[d][p];
+        }
+    }
+    layout_free(&points);
+    return ok && place(s, scene);
+}
+
+void skin_free(Skin *skin)
+{
+    if (!skin) return;
+    free(skin->memory), free(skin->foot);
+    free(skin);
+}
+
+double skin_work(const Skin *skin)
+{
+    return skin ? skin->work : 0;
+}
+
+/* Forces of time t: A P N. */
+static void find_forces(Skin *s, const Scene *scene, double t)
+{
+    scene->problem->traction(scene, s->n, (const double *const *)s->X, (const double *const *)s->N,
+                             t, s->force);
+    for (int d = 0; d < DIM; d++)
+        for (int p = 0; p < s->n; p++) s->force[d][p] *= s->area[p];
+}
+
+/* Number of the node at grid index `index`, NOWHERE if it has no mass. */
+static size_t massive_node(const Sim *sim, const int index[DIM])
+{
+    const Grid *g = &sim->g;
+    int row = 0;
+    for (int d = DIM - 1; d >= 0; d--) {
+        if (index[d] < 0 || index[d] >= g->n[d]) return NOWHERE;
+        if (d > 0) row = row * g->n[d] + index[d];
+    }
+    if (index[0] < g->lo[row] || index[0] >= g->hi[row]) return NOWHERE;
+    const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)index[0];
+    return g->node[at][0] > sim->mass_cut ? at : NOWHERE;
+}
+
+/* The nearest node with mass within 2 cells, all weight on it. */
+static void stand_on_nearest(const Sim *sim, const int base[DIM], const double from[DIM], Foot *f)
+{
+    enum { SIDE = 6 };
+    double least = INFINITY;
+    int cube = 1;
+    for (int d = 0; d < DIM; d++) cube *= SIDE;
+    for (int k = 0; k < cube; k++) {
+        int index[DIM];
+        double square = 0;
+        for (int d = 0, rest = k; d < DIM; d++, rest /= SIDE) {
+            index[d] = base[d] + rest % SIDE - 2;
+            square += pow(rest % SIDE - 2 - from[d], 2);
+        }
+        const size_t at = massive_node(sim, index);
+        if (at == NOWHERE || !(square < least)) continue;
+        least = square;
+        f->node[0] = at;
+        f->weight[0] = 1;
+    }
+}
+
+static void find_foot(const Sim *sim, const Skin *s, int p, Foot *f)
+{
+    int base[DIM];
+    double from[DIM], total = 0;
+    *f = (Foot){{0}, {0}};
+    for (int d = 0; d < DIM; d++) {
+        const double at = s->x[d][p] * sim->g.cells - sim->g.origin[d];
+        base[d] = (int)floor(fmin(fmax(at, -9), 1e9));
+        from[d] = at - base[d];
+    }
+    for (int k = 0; k < SKIN_CORNERS; k++) {
+        int index[DIM];
+        double S = 1;
+        for (int d = 0; d < DIM; d++) {
+            index[d] = base[d] + (k >> d & 1);
+            S *= k >> d & 1 ? from[d] : 1 - from[d];
+        }
+        const size_t at = massive_node(sim, index);
+        if (at == NOWHERE) continue;
+        f->node[k] = at;
+        f->weight[k] = S;
+        total += S;
+    }
+    for (int k = 0; k < SKIN_CORNERS && total > 0; k++) f->weight[k] /= total;
+    if (!(total > 0)) stand_on_nearest(sim, base, from, f);
+}
+
+void skin_deposit(Sim *sim, double t)
+{
+    Skin *s = sim->skin;
+    find_forces(s, sim->setup->scene, t);
+    for (int p = 0; p < s->n; p++) {
+        Foot *f = &s->foot[p];
+        find_foot(sim, s, p, f);
+        for (int k = 0; k < SKIN_CORNERS; k++)
+            for (int a = 0; a < DIM && f->weight[k] > 0; a++)
+                sim->g.force[f->node[k] * DIM + (size_t)a] += f->weight[k] * s->force[a][p];
+    }
+}
+
+static double work_of_step(const Skin *s)
+{
+    double sum = 0;
+    for (int d = 0; d < DIM; d++)
+        for (int p = 0; p < s->n; p++) sum += s->force[d][p] * s->move[d][p];
+    return sum;
+}
+
+void skin_move(Sim *sim, double t, double dt)
+{
+    Skin *s = sim->skin;
+    for (int p = 0; p < s->n; p++)
+        for (int d = 0; d < DIM; d++) {
+            s->move[d][p] = 0;
+            for (int k = 0; k < SKIN_CORNERS; k++)
+                s->move[d][p] += dt * s->foot[p].weight[k] * sim->g.node[s->foot[p].node[k]][d];
+            s->x[d][p] += s->move[d][p];
+        }
+    const double before = work_of_step(s);
+    find_forces(s, sim->setup->scene, t + dt);
+    s->work += 0.5 * (before + work_of_step(s));
+}
