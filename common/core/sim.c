@@ -51,6 +51,8 @@ static bool grid_alloc(Sim *sim)
     ok = (g->count = get((size_t)longest + 1, sizeof(int))) && ok;
     if (s->scene->problem->body || s->scene->traction)
         ok = (g->force = get(n * DIM, sizeof(double))) && ok;
+    if (s->scene->traction && s->method->assemble)
+        ok = (g->outward = get(n * DIM, sizeof(double))) && ok;
     if (s->method->filter) ok = (g->keep = get(n, sizeof(Line))) && ok;
     if (s->snapshot_nodes) ok = (g->mass = calloc(n, sizeof(double))) && ok;
     if (!s->method->assemble) ok = (g->body = calloc(n, 1)) && ok;
@@ -222,7 +224,7 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
     if (sim->method.make && !sim->method.make(sim))
         return fault_set(fault, FAULT_MACHINE, "out of memory");
     fill_particles(sim, layout);
-    if (!start_particles(sim) || !skin_new(&sim->skin, s->scene, sim->dx / per_axis))
+    if (!start_particles(sim) || !skin_new(&sim->skin, sim, sim->dx / per_axis))
         return fault_set(fault, FAULT_MACHINE, "out of memory");
     sim->half_now = widest_now(sim);
     sim->travel = INFINITY; /* not sorted yet */
@@ -257,7 +259,7 @@ void sim_free(Sim *sim)
     for (int d = 0; d < DIM; d++) free(g->hold[d]);
     free(g->node), free(g->keep), free(g->lo), free(g->hi), free(g->live), free(g->impulse),
         free(g->count);
-    free(g->force), free(g->mass), free(g->body), free(sim->block);
+    free(g->force), free(g->outward), free(g->mass), free(g->body), free(sim->block);
     free(p->arena), free(p->id), free(p->order), free(p->source);
     for (int d = 0; d < DIM; d++) free(p->key[d]);
     skin_free(sim->skin);

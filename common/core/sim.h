@@ -54,17 +54,19 @@ typedef struct Stop {
 } Stop;
 
 typedef struct Grid {
-    int cells;                /* per unit length; h = 1/cells [m] */
-    int origin[DIM];          /* node index 0 lies at x = origin/cells */
-    int n[DIM];               /* nodes per axis, ghosts included */
-    int rows;                 /* n[1] n[2] ...: lines of nodes along axis 0 */
-    Line *node;               /* [rows * n[0]] lanes: dim.h */
-    Line *keep;               /* [rows * n[0]] what a velocity filter puts aside, or NULL */
-    Line zero;                /* an empty node */
-    double *force;            /* [rows * n[0]][DIM] body force [N], or NULL */
-    double *mass;             /* [rows * n[0]] copy for who looks at nodes, or NULL */
-    unsigned char *body;      /* [rows * n[0]] the node is the body's, for particles on nodes */
-    Axis axis[DIM];           /* where walls stand, for shapes that fold their weights there */
+    int cells;           /* per unit length; h = 1/cells [m] */
+    int origin[DIM];     /* node index 0 lies at x = origin/cells */
+    int n[DIM];          /* nodes per axis, ghosts included */
+    int rows;            /* n[1] n[2] ...: lines of nodes along axis 0 */
+    Line *node;          /* [rows * n[0]] lanes: dim.h */
+    Line *keep;          /* [rows * n[0]] what a velocity filter puts aside, or NULL */
+    Line zero;           /* an empty node */
+    double *force;       /* [rows * n[0]][DIM] body force [N], or NULL */
+    double *outward;     /* [rows * n[0]][DIM] sum of V dS/dx over the cells, which is the integral
+                          * of S n over their outer boundary [m^(DIM-1)]; or NULL */
+    double *mass;        /* [rows * n[0]] copy for who looks at nodes, or NULL */
+    unsigned char *body; /* [rows * n[0]] the node is the body's, for particles on nodes */
+    Axis axis[DIM];      /* where walls stand, for shapes that fold their weights there */
     unsigned char *hold[DIM]; /* [n[d]] bit a: component a is held at this index of axis d */
     Mirror mirror[2 * DIM];   /* by axis */
     int nmirror;

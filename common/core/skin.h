@@ -9,7 +9,7 @@ struct Sim;
 typedef struct Skin Skin;
 
 /* Makes the points of a scene with traction; *out stays NULL in one without. false: no memory. */
-bool skin_new(Skin **out, const Scene *scene, double spacing);
+bool skin_new(Skin **out, const struct Sim *sim, double spacing);
 void skin_free(Skin *skin);
 
 /* Adds the forces of time t to the grid's, after a deposit with forces. */
