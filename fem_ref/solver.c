@@ -75,6 +75,16 @@ static void impulse(const void *self, Vec out)
     }
 }
 
+static double work(const void *self)
+{
+    return fem_work(self);
+}
+
+static void outside(const void *self, Vec out)
+{
+    for (int d = 0; d < DIM; d++) out[d] = ((const Fem *)self)->outside[d];
+}
+
 /* Adds the F and sigma of element e, of a chunk with Kirchhoff stress T, to its nodes. */
 static void share(const Fem *f, int e, const Field T[NMAT], Fields F, Fields sigma)
 {
@@ -159,6 +169,8 @@ const Solver solver_fem = {
     .view = view,
     .counts = counts,
     .impulse = impulse,
+    .work = work,
+    .outside = outside,
     .patches = patches,
     .elements = true,
     .point_stress = point_stress,

@@ -5,7 +5,14 @@
 #include <signal.h>
 #include "fault.h"
 
-enum { SPEC_SETS = 32, SPEC_TEXT = 3072 };
+enum { SPEC_SETS = 32, SPEC_TEXT = 3072, SPEC_PROBES = 16, PROBE_COLUMNS = 9 };
+
+/* A place in the reference body [m], with as many coordinates as were typed. */
+typedef struct Probe {
+    double X[3];
+    int axes;
+    const char *text; /* as typed; not owned */
+} Probe;
 
 typedef struct Setting {
     char name[32], value[32];
@@ -30,6 +37,8 @@ typedef struct RunSpec {
     int every;                               /* steps between snapshots; */
     double every_s;                          /*   or time between them [s] */
     const volatile sig_atomic_t *stop; /* not 0: the run ends with the step under way; or NULL */
+    int nprobe;                        /* points whose motion the history follows */
+    Probe probe[SPEC_PROBES];
 } RunSpec;
 
 /* Adds NAME=VALUE to the settings (replacing an earlier NAME). 0, or a fault with code 2. */

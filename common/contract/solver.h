@@ -42,6 +42,7 @@ typedef struct Setup {
     StrainUpdate strain; /* of F */
     int subcycles;       /* of STRAIN_SUBCYCLED, >= 1 */
     bool snapshot_nodes; /* nodes() will be called */
+    bool reactions;      /* outside() will be called */
     int threads;
 } Setup;
 
@@ -82,6 +83,13 @@ typedef struct Solver {
 
     /* Momentum [kg m/s] that body forces and boundary conditions have given since the start. */
     void (*impulse)(const void *self, Vec out);
+
+    /* Work [J] of tractions since the start, the mean of both ends of every step. */
+    double (*work)(const void *self);
+
+    /* The part of the impulse that body forces and tractions have given; measured if
+     * setup->reactions asks for it. */
+    void (*outside)(const void *self, Vec out);
 
     /* Shows every polygon of the mesh or of the grid's cells as the last step had them; NULL: none.
      * `elements`: they carry strain, in a fixed order. */

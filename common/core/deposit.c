@@ -13,6 +13,8 @@ static void clear_row(Grid *g, int row)
     if (!g->force) return;
     for (int i = g->lo[row]; i < g->hi[row]; i++)
         for (int a = 0; a < DIM; a++) g->force[(start + (size_t)i) * DIM + (size_t)a] = 0;
+    for (int i = g->lo[row]; i < g->hi[row] && g->outward; i++)
+        for (int a = 0; a < DIM; a++) g->outward[(start + (size_t)i) * DIM + (size_t)a] = 0;
 }
 
 void sim_stress(const Sim *sim, const Chunk *c, Field T[NMAT])

@@ -1,5 +1,6 @@
 /* particle_solver.c: the particle core as a Solver (solver.h). */
 #include <stdlib.h>
+#include "skin.h"
 #include "step.h"
 
 /* A Sim with what its views need on the side. */
@@ -114,6 +115,16 @@ static void core_impulse(const void *self, Vec out)
     for (int d = 0; d < DIM; d++) out[d] = ((const Core *)self)->sim->impulse[d];
 }
 
+static double core_work(const void *self)
+{
+    return skin_work(((const Core *)self)->sim->skin);
+}
+
+static void core_outside(const void *self, Vec out)
+{
+    for (int d = 0; d < DIM; d++) out[d] = ((const Core *)self)->sim->outside[d];
+}
+
 static void core_patches(const void *self, PatchVisit *visit, void *own)
 {
     const Sim *sim = ((const Core *)self)->sim;
@@ -162,6 +173,8 @@ const Solver particle_solver = {
     .nodes = core_nodes,
     .counts = core_counts,
     .impulse = core_impulse,
+    .work = core_work,
+    .outside = core_outside,
     .patches = core_patches,
     .point_stress = core_stress,
     .free = core_free,

@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include "common/contract/layout.h"
 #include "sim.h"
+#include "skin.h"
 
 /* How far half widths may grow before they are capped: stretch 4, or one cell and a half. */
 static double widest_half(double half)
@@ -59,7 +60,10 @@ static bool grid_alloc(Sim *sim)
     ok = (g->live = calloc((size_t)g->rows, sizeof(int))) && ok;
     ok = (g->impulse = calloc((size_t)g->rows, sizeof(Vec))) && ok;
     ok = (g->count = get((size_t)longest + 1, sizeof(int))) && ok;
-    if (s->scene->problem->body) ok = (g->force = get(n * DIM, sizeof(double))) && ok;
+    if (s->scene->problem->body || s->scene->traction)
+        ok = (g->force = get(n * DIM, sizeof(double))) && ok;
+    if (s->scene->traction && s->method->assemble)
+        ok = (g->outward = get(n * DIM, sizeof(double))) && ok;
     if (s->method->filter) ok = (g->keep = get(n, sizeof(Line))) && ok;
     if (s->snapshot_nodes) ok = (g->mass = calloc(n, sizeof(double))) && ok;
     if (!s->method->assemble) ok = (g->body = calloc(n, 1)) && ok;
@@ -144,29 +148,6 @@ static void make_grid(Sim *sim)
     }
 }
 
-/* Walls as data of the grid: what is held at each index, and mirror lines by axis. */
-static void set_walls(Sim *sim)
-{
-    Grid *g = &sim->g;
-    const Scene *scene = sim->setup->scene;
-    for (int d = 0; d < DIM; d++) {
-        g->axis[d] = (Axis){.wall_lo = -INFINITY, .wall_hi = INFINITY};
-        for (int k = 0; k < scene->nwall; k++) {
-            const Wall *w = &scene->wall[k];
-            const int at = (int)lround(w->at * g->cells) - g->origin[d];
-            if (w->axis != d) continue;
-            if (!w->mirror) {
-                *(w->side < 0 ? &g->axis[d].wall_lo : &g->axis[d].wall_hi) = at;
-                *(w->side < 0 ? &g->axis[d].open_lo : &g->axis[d].open_hi) = !(w->hold >> d & 1);
-            }
-            if (w->mirror) g->mirror[g->nmirror++] = (Mirror){d, at, w->side};
-            if (w->unilateral && !w->mirror) g->stop[g->nstop++] = (Stop){d, at, w->side, w->hold};
-            for (int i = 0; i < g->n[d] && !w->mirror && !w->unilateral; i++)
-                if (w->side * (i - at) >= 0) g->hold[d][i] |= (unsigned char)w->hold;
-        }
-    }
-}
-
 /* Nodes with less than this fraction of a particle's mass count as empty. With C1 weights the force
  * falls as sqrt(mass), so light nodes are safe. With tents it does not fall, but on_node.c removes
  * it from nodes reached by less than ON_NODE along an axis. WLS integrates masses over cells. */
@@ -240,11 +221,12 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
     make_grid(sim);
     if (!grid_alloc(sim) || !particles_alloc(sim))
         return fault_set(fault, FAULT_MACHINE, "out of memory for %d particles", sim->p.count);
-    set_walls(sim);
+    mirror_set_walls(sim);
     if (sim->method.make && !sim->method.make(sim))
         return fault_set(fault, FAULT_MACHINE, "out of memory");
     fill_particles(sim, layout);
-    if (!start_particles(sim)) return fault_set(fault, FAULT_MACHINE, "out of memory");
+    if (!start_particles(sim) || !skin_new(&sim->skin, sim, sim->dx / per_axis))
+        return fault_set(fault, FAULT_MACHINE, "out of memory");
     sim_restart(sim);
     return 0;
 }
@@ -277,9 +259,10 @@ void sim_free(Sim *sim)
     for (int d = 0; d < DIM; d++) free(g->hold[d]);
     free(g->node), free(g->keep), free(g->lo), free(g->hi), free(g->live), free(g->impulse),
         free(g->count);
-    free(g->force), free(g->mass), free(g->body), free(sim->block);
+    free(g->force), free(g->outward), free(g->mass), free(g->body), free(sim->block);
     free(p->arena), free(p->id), free(p->order), free(p->source);
     for (int d = 0; d < DIM; d++) free(p->key[d]);
+    skin_free(sim->skin);
     free(sim);
 }
 

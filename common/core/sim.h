@@ -55,17 +55,19 @@ typedef struct Stop {
 } Stop;
 
 typedef struct Grid {
-    int cells;                /* per unit length; h = 1/cells [m] */
-    int origin[DIM];          /* node index 0 lies at x = origin/cells */
-    int n[DIM];               /* nodes per axis, ghosts included */
-    int rows;                 /* n[1] n[2] ...: lines of nodes along axis 0 */
-    Line *node;               /* [rows * n[0]] lanes: dim.h */
-    Line *keep;               /* [rows * n[0]] what a velocity filter puts aside, or NULL */
-    Line zero;                /* an empty node */
-    double *force;            /* [rows * n[0]][DIM] body force [N], or NULL */
-    double *mass;             /* [rows * n[0]] copy for who looks at nodes, or NULL */
-    unsigned char *body;      /* [rows * n[0]] the node is the body's, for particles on nodes */
-    Axis axis[DIM];           /* where walls stand, for shapes that fold their weights there */
+    int cells;           /* per unit length; h = 1/cells [m] */
+    int origin[DIM];     /* node index 0 lies at x = origin/cells */
+    int n[DIM];          /* nodes per axis, ghosts included */
+    int rows;            /* n[1] n[2] ...: lines of nodes along axis 0 */
+    Line *node;          /* [rows * n[0]] lanes: dim.h */
+    Line *keep;          /* [rows * n[0]] what a velocity filter puts aside, or NULL */
+    Line zero;           /* an empty node */
+    double *force;       /* [rows * n[0]][DIM] body force [N], or NULL */
+    double *outward;     /* [rows * n[0]][DIM] sum of V dS/dx over the cells, which is the integral
+                          * of S n over their outer boundary [m^(DIM-1)]; or NULL */
+    double *mass;        /* [rows * n[0]] copy for who looks at nodes, or NULL */
+    unsigned char *body; /* [rows * n[0]] the node is the body's, for particles on nodes */
+    Axis axis[DIM];      /* where walls stand, for shapes that fold their weights there */
     unsigned char *hold[DIM]; /* [n[d]] bit a: component a is held at this index of axis d */
     Mirror mirror[2 * DIM];   /* by axis */
     int nmirror;
@@ -85,22 +87,24 @@ typedef struct Sim {
     Grid g;
     Block *block;
     int nblock, block_rows;
-    double ppc;       /* particles per cell, as placed */
-    double half;      /* l0/h: half width of an undeformed particle in cells */
-    double half_max;  /* widest half width that the stencils allow for, in cells */
-    double half_plan; /* the one that the current order and spans were made for */
-    double half_now;  /* widest now */
-    double key_shift; /* particles are sorted by floor(x + this), in cells */
-    double travel;    /* farthest any particle may have moved since the last sort, in cells */
-    double mass_cut;  /* nodes with less are empty [kg] */
-    double mass_body; /* nodes with less get no stress from particles on nodes [kg] */
-    long nodes, live; /* most live nodes so far; those of the last solve */
-    Vec impulse;      /* [kg m/s] given by body forces and walls so far */
-    double dx;        /* 1/cells [m] */
-    int surface;      /* surface particles, if the method has any */
-    long fallbacks;   /* nodes that fell back from their method's own rule, summed over steps */
-    bool moved;       /* the last step has moved the particles */
-    Status status;    /* what ended the run: no step is taken after it */
+    double ppc;        /* particles per cell, as placed */
+    double half;       /* l0/h: half width of an undeformed particle in cells */
+    double half_max;   /* widest half width that the stencils allow for, in cells */
+    double half_plan;  /* the one that the current order and spans were made for */
+    double half_now;   /* widest now */
+    double key_shift;  /* particles are sorted by floor(x + this), in cells */
+    double travel;     /* farthest any particle may have moved since the last sort, in cells */
+    double mass_cut;   /* nodes with less are empty [kg] */
+    double mass_body;  /* nodes with less get no stress from particles on nodes [kg] */
+    long nodes, live;  /* most live nodes so far; those of the last solve */
+    Vec impulse;       /* [kg m/s] given by body forces and walls so far */
+    Vec outside;       /* [kg m/s] by body forces and tractions alone, if setup->reactions */
+    double dx;         /* 1/cells [m] */
+    int surface;       /* surface particles, if the method has any */
+    long fallbacks;    /* nodes that fell back from their method's own rule, summed over steps */
+    struct Skin *skin; /* the surface under traction, or NULL */
+    bool moved;        /* the last step has moved the particles */
+    Status status;     /* what ended the run: no step is taken after it */
 } Sim;
 
 /* Places and allocates everything; NULL and a fault (2: parameters, 1: memory, before it is taken).
@@ -144,6 +148,7 @@ void mirror_visit_pairs(Sim *sim, bool back, PairVisit *visit,
                         void *own); /* ghosts, their images */
 void mirror_unfold(Sim *sim, Given given);
 void mirror_spans(Grid *g);
+void mirror_set_walls(Sim *sim); /* walls as data of the grid: what is held, and mirrors by axis */
 void mirror_wall_images(
     Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */
 bool mirror_is_ghost_row(const Grid *g, int row,

@@ -7,6 +7,7 @@
 #include <limits.h>
 #include <math.h>
 #include "passes.h"
+#include "skin.h"
 #include "step.h"
 
 typedef struct Pass {
@@ -125,6 +126,7 @@ static Status take_passes(Sim *sim, double t, double dt, bool first)
         const Pass *pass = &integrators[s->integrator].pass[k];
         const bool filter = sim->method.filter && (pass->force || !sim->method.filter_first);
         deposit_all(sim, t, pass->force ? FORCES : MOTION);
+        if (pass->force && sim->skin) skin_deposit(sim, t);
         if (filter) filter_open(sim);
         solve_all(sim, dt, scale, pass->force);
         if (sim->live == 0) return without_support(sim);
@@ -137,6 +139,7 @@ static Status take_passes(Sim *sim, double t, double dt, bool first)
         if (sim->half_now > sim->half_plan && k == 0 && integrators[s->integrator].pass[1].used)
             sim_sort(sim);
     }
+    if (sim->skin) skin_move(sim, t, dt);
     return (Status){OK, -1, 0};
 }
 

@@ -151,6 +151,11 @@ int handover_plan(RunSpec *spec, const Plan *first, Handover *out, Fault *fault)
         return fault_set(fault, FAULT_USAGE,
                          "--then: got '%s', takes a scene in motion, and %s has no time steps",
                          then, spec->problem);
+    if (first->scene.traction)
+        return fault_set(fault, FAULT_USAGE,
+                         "--then: got '%s', takes a surface without traction, whose points the "
+                         "second method would not find where they are",
+                         then);
     if (!first->solver->take_over)
         return fault_set(fault, FAULT_USAGE,
                          "--then: got '%s', takes a run with particles, and %s is a mesh", then,

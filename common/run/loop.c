@@ -26,6 +26,7 @@ void loop_measure_state(Loop *l, Moment *m)
     l->plan->solver->view(l->self, &p, &q);
     m->strain = ledger_strain(&l->plan->scene, &q, l->plan->setup.threads, &l->scratch);
     if (!l->history) return;
+    probes_measure(&l->probes, &l->plan->scene, l->plan->solver, l->self, m->probe);
     const Volumes v = ledger_volumes(&q);
     m->volume = v.sum;
     m->least_J = v.least;
@@ -90,7 +91,12 @@ void loop_record_energy(Loop *l, Moment *m, const Side *before, const Side *afte
 {
     const double stored = m->kinetic + m->strain;
     m->work = l->work;
-    l->now = stored - l->work;
+    l->now = stored - m->work;
+    if (l->history) {
+        const bool half = l->instants == 0 && step_half_first(l->plan->setup.integrator);
+        reactions_measure(&l->reactions, &l->plan->scene, l->plan->solver, l->self,
+                          half ? 0.5 * l->dt : l->dt, m->wall);
+    }
     if (l->instants++ == 0) l->start = l->now;
     l->largest = larger(l->largest, stored);
     if (is_growth(l, m, 0.5 * of_change(before, after)) && l->growth_step < 0) note_growth(l);
@@ -143,9 +149,11 @@ void loop_record_work(Loop *l, double t)
 {
     const Scene *scene = &l->plan->scene;
     const Points p = points_of(l);
-    if (!scene->problem->body) return;
     const double *const *from = (const double *const *)l->from;
-    l->work += 0.5 * (ledger_work(scene, &p, from, t, &l->scratch) +
-                      ledger_work(scene, &p, from, t + l->dt, &l->scratch));
-    keep_positions(l, &p);
+    if (scene->problem->body) {
+        l->bodies += 0.5 * (ledger_work(scene, &p, from, t, &l->scratch) +
+                            ledger_work(scene, &p, from, t + l->dt, &l->scratch));
+        keep_positions(l, &p);
+    }
+    l->work = l->bodies + (scene->traction ? l->plan->solver->work(l->self) : 0);
 }

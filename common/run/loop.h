@@ -7,6 +7,7 @@
 #include "ledger.h"
 #include "output.h"
 #include "plan.h"
+#include "probe.h"
 #include "snapshot.h"
 
 /* Kinetic energy of one instant, and the part of it that the time step leaves undetermined [J]. */
@@ -37,7 +38,7 @@ typedef struct Loop {
     Counted counted;            /* of the instant before */
     double noise;               /* [J] round-off of stored energy */
     long instants;              /* whose energy is recorded */
-    double work;                /* [J] of body forces on the steps finished */
+    double bodies, work;        /* [J] of body forces on the steps finished; and of tractions */
     double *from[DIM]; /* [m] positions by id after the last step, for work; owned, or NULL */
     Vec p0;
     double drift, momentum; /* largest |p - p0 - impulse|, largest sum m |v| */
@@ -47,6 +48,8 @@ typedef struct Loop {
     int fastest;      /* point then, and its speed [m/s] */
     double speed;
     Moment last; /* what is known of the last instant */
+    Probes probes;
+    Reactions reactions;
 } Loop;
 
 /* Stores the positions of all points for loop_record_work; frees them. false: out of memory. */

@@ -15,12 +15,28 @@ static double axis(const double *const v[DIM], int a, int k)
     return a < DIM ? v[a % DIM][k] : NAN;
 }
 
-void output_history_header(FILE *out)
+void output_history_header(FILE *out, int nprobe, int nwall)
 {
+    static const char *const columns[] = {"ux",  "uy",  "uz",  "sxx", "syy",
+                                          "szz", "sxy", "sxz", "syz"};
     fputs(
         "t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume,least_J,most_J,angular,pz,"
-        "angular_x,angular_y,angular_z\n",
+        "angular_x,angular_y,angular_z",
         out);
+    for (int n = 1; n <= nprobe; n++)
+        for (int k = 0; k < PROBE_COLUMNS; k++) fprintf(out, ",probe%d_%s", n, columns[k]);
+    for (int n = 1; n <= nwall; n++)
+        for (int k = 0; k < 3; k++) fprintf(out, ",wall%d_f%c", n, "xyz"[k]);
+    fputs("\n", out);
+}
+
+/* With a comma before each. */
+static void numbers(FILE *out, const double x[], int n)
+{
+    for (int k = 0; k < n; k++) {
+        fputs(",", out);
+        number(out, x[k], "");
+    }
 }
 
 /* In 2D angular momentum is one number, in a column of its own. */
@@ -45,7 +61,10 @@ void output_history_line(FILE *out, const Moment *m)
                               DIM > 2 ? L[1] : NAN,
                               DIM > 2 ? L[2] : NAN};
     const int n = sizeof columns / sizeof *columns;
-    for (int k = 0; k < n; k++) number(out, columns[k], k + 1 < n ? "," : "\n");
+    for (int k = 0; k < n; k++) number(out, columns[k], k + 1 < n ? "," : "");
+    numbers(out, m->probe[0], m->nprobe * PROBE_COLUMNS);
+    numbers(out, m->wall[0], m->nwall * 3);
+    fputs("\n", out);
 }
 
 /* Component k of a row of three, empty beyond DIM. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "handover.h"
+#include "probe.h"
 #include "settings.h"
 #include "common/core/step.h"
 
@@ -241,6 +242,7 @@ static int check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
                          spec->history, spec->problem);
     if (spec->errors && (!plan->scene.problem->exact || plan->scene.problem->projection))
         return plan_no_exact_motion(spec, fault);
+    if (probe_check(spec, &plan->scene, fault)) return FAULT_USAGE;
     if (spec->nodes && !solver->nodes)
         return fault_set(fault, FAULT_USAGE,
                          "--nodes: got '%s', takes a method with a grid, not %s", spec->nodes,
@@ -280,6 +282,7 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     s->cells = (int)spec->cells;
     s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : s->method && s->method->surface;
     s->threads = spec->threads > 0 ? spec->threads : 1;
+    s->reactions = spec->history != NULL;
     s->snapshot_nodes = plan->scene.problem->projection || spec->nodes || spec->vtk;
     plan->steps = (long)run[P_STEPS];
     plan->stop_growth = run[P_STOP] > 0;

@@ -57,7 +57,10 @@ static void run_steps(Loop *l)
     Side before = loop_measure_side(l);
     memcpy(l->p0, before.p, sizeof l->p0);
     l->momentum = before.mv;
-    Moment m = {.dt = l->dt, .error_linf = errors_now(l, 0).linf};
+    Moment m = {.dt = l->dt,
+                .error_linf = errors_now(l, 0).linf,
+                .nprobe = l->probes.n,
+                .nwall = l->plan->scene.nwall};
     loop_measure_state(l, &m);
     if (l->shots.dir)
         l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
@@ -183,6 +186,7 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
         choose_dt(l);
         if (!loop_fit_scratch(l) || !loop_open(l))
             return fault_set(fault, FAULT_MACHINE, "out of memory");
+        probes_find(&l->probes, spec, l->plan->solver, l->self);
         if (spec->errors && isnan(errors_now(l, 0).linf)) return plan_no_exact_motion(spec, fault);
         run_steps(l);
         shoot(l, steps_moved(l), true);
@@ -218,13 +222,14 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     if (spec_files_check(spec, fault) || (spec->vtk && snapshot_check(spec->vtk, fault)))
         return FAULT_MACHINE;
     if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
-    if (l.history) output_history_header(l.history);
+    if (l.history) output_history_header(l.history, own.nprobe, plan.scene.nwall);
     l.self = plan.solver->make(&plan.setup, fault);
     code = l.self ? run_plan(&own, &l, row, fault) : fault->code;
     if (l.self) plan.solver->free(l.self);
     if (l.undo.f) fclose(l.undo.f);
     norm_scratch_free(&l.scratch);
     loop_close(&l);
+    probes_free(&l.probes);
     snapshot_free(&l.shots);
     if (l.history && code) file_abandon(l.history, spec->history);
     if (l.history && !code) code = file_commit(l.history, spec->history, fault);

@@ -25,6 +25,9 @@ const Option run_args_options[] = {
     {"then-set", "NAME=VALUE", "a parameter of the second method; may be repeated"},
     {"csv", "FILE", "append the row to FILE, too"},
     {"history", "FILE", "write energies and errors of every step"},
+    {"probe", "X[,Y[,Z]]",
+     "add displacement and stress of the nearest point to the history; may be "
+     "repeated"},
     {"particles", "FILE", "write the particles at the end"},
     {"nodes", "FILE", "write the grid nodes at the end"},
     {"samples", "FILE", "write what carries strain at the end: elements of fem, else particles"},
@@ -183,6 +186,25 @@ static int take_every(RunArgs *args, const char *got, Fault *fault)
     return 0;
 }
 
+/* As many numbers as are typed; how many a run takes depends on its dimension. */
+static int take_probe(RunArgs *args, const char *got, Fault *fault)
+{
+    RunSpec *spec = &args->spec;
+    Probe p = {.text = got};
+    for (const char *at = got; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
+        char number[64];
+        snprintf(number, sizeof number, "%.*s", (int)strcspn(at, ","), at);
+        if (p.axes == 3 || strcspn(at, ",") >= sizeof number ||
+            info_number_parse(number, &p.X[p.axes++]))
+            return option_refuse(fault, "--probe", got, "X[,Y[,Z]] in metres", NULL, 0);
+    }
+    if (spec->nprobe == SPEC_PROBES)
+        return fault_set(fault, FAULT_USAGE, "--probe: got '%.80s', takes at most %d points", got,
+                         SPEC_PROBES);
+    spec->probe[spec->nprobe++] = p;
+    return 0;
+}
+
 static int take_quiet(RunArgs *args, const char *got, Fault *fault)
 {
     (void)got, (void)fault;
@@ -197,7 +219,7 @@ static const struct {
               {"set", take_set},         {"then", take_then},
               {"at", take_at},           {"then-set", take_then_set},
               {"threads", take_threads}, {"every", take_every},
-              {"quiet", take_quiet}};
+              {"probe", take_probe},     {"quiet", take_quiet}};
 
 static int take(void *into, const char *name, const char *got, Fault *fault)
 {
@@ -223,6 +245,9 @@ int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault)
                          "PROBLEM: got nothing, takes one of those that 'list problems' prints");
     if ((args->spec.every || args->spec.every_s > 0) && !args->spec.vtk)
         return fault_set(fault, FAULT_USAGE, "--every: needs --vtk DIR");
+    if (args->spec.nprobe && !args->spec.history)
+        return fault_set(fault, FAULT_USAGE, "--probe: got '%.80s', needs --history FILE",
+                         args->spec.probe[0].text);
     return 0;
 }
 
