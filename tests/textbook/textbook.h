@@ -26,7 +26,12 @@ typedef struct TwinNode {
     unsigned held;            /* bit a: v_a = a_a = 0 */
 } TwinNode;
 
-typedef enum { TWIN_TENT, TWIN_BOX, TWIN_SPLINE } TwinShape; /* box: GIMP's exact convolution */
+typedef enum {
+    TWIN_TENT,
+    TWIN_BOX,
+    TWIN_SPLINE,
+    TWIN_CUBIC
+} TwinShape; /* box: GIMP's exact convolution */
 typedef enum { TWIN_NONE, TWIN_PARTICLES, TWIN_NODES } TwinFilter; /* XPIC, FMPM */
 
 typedef struct TwinMethod {

@@ -21,6 +21,7 @@ static const TwinMethod known[] = {
     {.name = "tpic", .gradient = true, .pic = 1, .least = 1e-24},
     {.name = "xpic", .pic = 1, .filter = TWIN_PARTICLES, .least = 1e-24},
     {.name = "fmpm", .pic = 1, .filter = TWIN_NODES, .least = 1e-24},
+    {.name = "bspline3", .shape = TWIN_CUBIC, .least = 1e-24},
     {.name = "flip_pic", .shape = TWIN_BOX, .least = 1e-24}};
 
 static void make_grid(Twin *w)
@@ -99,8 +100,9 @@ static bool choose(Twin *w, const Setup *setup)
     while (k < sizeof known / sizeof *known && strcmp(known[k].name, name)) k++;
     if (k == sizeof known / sizeof *known) return false;
     *w = (Twin){.setup = setup, .method = known[k], .h = 1.0 / setup->cells};
-    const int spline_or_box = (int)value_of(setup, "shape", -1);
-    if (spline_or_box >= 0) w->method.shape = spline_or_box ? TWIN_BOX : TWIN_SPLINE;
+    static const TwinShape shapes[] = {TWIN_SPLINE, TWIN_BOX, TWIN_CUBIC};
+    const int shape = (int)value_of(setup, "shape", -1);
+    if (shape >= 0) w->method.shape = shapes[shape];
     w->method.pic = 1 - value_of(setup, "alpha", 1 - w->method.pic);
     w->order = 1 + (int)value_of(setup, "order", 0);
     return true;

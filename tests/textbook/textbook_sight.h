@@ -80,6 +80,27 @@ static inline void spline(const Twin *w, int axis, double x, double cells, Sight
     }
 }
 
+/* Cubic B-spline in the two pieces of its books. The node beyond a wall extrapolates from the two
+ * within. */
+static inline void cubic(const Twin *w, int axis, double x, double cells, Sight *s)
+{
+    const double lo = w->wall_lo[axis], hi = w->wall_hi[axis];
+    const int cell = (int)fmax(fmin(floor(x), hi - 1), lo);
+    s->first = cell - 1;
+    s->count = 4;
+    for (int k = 0; k < 4; k++) {
+        const double r = x - (s->first + k), q = fabs(r), tail = 2 - q;
+        s->S[k] = q < 1 ? 0.5 * q * q * q - q * q + 2 / 3.0 : tail * tail * tail / 6;
+        s->G[k] = (q < 1 ? (1.5 * q - 2) * q : -0.5 * tail * tail) * (r > 0 ? cells : -cells);
+    }
+    for (int side = 0; side < 2; side++) {
+        const int out = side ? 3 : 0, wall = side ? 2 : 1, in = side ? 1 : 2;
+        if (side ? cell + 2 <= hi : cell - 1 >= lo) continue;
+        s->S[wall] += 2 * s->S[out], s->S[in] -= s->S[out], s->S[out] = 0;
+        s->G[wall] += 2 * s->G[out], s->G[in] -= s->G[out], s->G[out] = 0;
+    }
+}
+
 /* x in cells from node 0, b = l/h. */
 static inline void look(const Twin *w, int axis, double x, double b, Sight *s)
 {
@@ -95,6 +116,10 @@ static inline void look(const Twin *w, int axis, double x, double b, Sight *s)
     }
     if (w->method.shape == TWIN_SPLINE) {
         spline(w, axis, x, cells, s);
+        return;
+    }
+    if (w->method.shape == TWIN_CUBIC) {
+        cubic(w, axis, x, cells, s);
         return;
     }
     s->first = (int)floor(x - 1 - b) + 1;
