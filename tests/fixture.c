@@ -57,6 +57,7 @@ void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator 
                           .method = method,
                           .method_par = plan->method_par,
                           .integrator = integrator,
+                          .frame = method->frame,
                           .cells = cells,
                           .ppc = ppc,
                           .snapshot_nodes = true,

@@ -191,6 +191,27 @@ static inline void cubic_shape(const Axis *axis, int width, const Field x, const
     }
 }
 
+/* Slopes of moving least squares: the plane through the nodes' values with weights S has the slope
+ * sum_i v_i S (x_i - x)/D, D = sum_i S (x_i - x)^2, which takes the place of the derivative. D is
+ * 1/4 cell^2 for the quadratic spline, 1/3 for the cubic one, less where a wall folds them; on the
+ * wall it vanishes, and the derivative is the limit. */
+static inline void fit_slopes(int width, const Field x, Stencil *s)
+{
+    Field D;
+    for (int p = 0; p < CHUNK; p++) D[p] = 0;
+    for (int k = 0; k < width; k++)
+        for (int p = 0; p < CHUNK; p++) {
+            const double r = s->base[p] + k - x[p];
+            D[p] += s->table[T_S][k][p] * r * r;
+        }
+    for (int k = 0; k < width; k++)
+        for (int p = 0; p < CHUNK; p++) {
+            const double r = s->base[p] + k - x[p];
+            const double slope = s->table[T_S][k][p] * r / D[p];
+            s->table[T_G][k][p] = fabs(D[p]) > 1e-9 ? slope : s->table[T_G][k][p];
+        }
+}
+
 /* `shape=spline|gimp|cubic`, the first parameter of methods that have several. */
 enum { BY_SPLINE, BY_GIMP, BY_CUBIC };
 
