@@ -35,6 +35,7 @@ struct Study {
     void (*check)(Check *check, const Results *results); /* or NULL: nothing claimed */
     int claims;         /* that check() makes, whatever the tables hold */
     bool timed;         /* it measures time: its cases run one by one, whatever --jobs says */
+    const char *also;   /* methods on request that it runs, too: "cpdi,tlmpm"; or NULL */
     const char *script; /* plots/ROOM/SCRIPT.gp, if that is not NAME */
 };
 

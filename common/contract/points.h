@@ -13,6 +13,8 @@ typedef struct Points {
     const int *id;                          /* [n] placement order */
     const double *X[DIM], *x[DIM], *v[DIM]; /* [m] [m] [m/s] reference, current, velocity */
     const double *m, *V0;                   /* [kg] [m^DIM] mass, reference volume */
+    const char *const *own_name;            /* fields of the method's own, ended by NULL; or NULL */
+    double *const *own;                     /* [field][n] */
 } Points;
 
 typedef struct Samples {

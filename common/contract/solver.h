@@ -38,7 +38,8 @@ typedef struct Setup {
     int count;           /* particles asked for by number (1D), or 0 */
     bool fitted;         /* body-fitted layout */
     bool refresh;        /* L from the accelerated grid velocity before a re-projection */
-    Domain domain;       /* of particle boxes */
+    Frame frame;         /* of stencils */
+    Domain domain;       /* of particle boxes, where the frame is the current one */
     StrainUpdate strain; /* of F */
     int subcycles;       /* of STRAIN_SUBCYCLED, >= 1 */
     bool snapshot_nodes; /* nodes() will be called */

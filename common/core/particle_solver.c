@@ -65,6 +65,8 @@ static void core_view(const void *self, Points *points, Samples *samples)
 {
     const Particles *p = &((const Core *)self)->sim->p;
     *points = (Points){.n = p->n, .id = p->id, .m = p->field[AT_M], .V0 = p->field[AT_VOL]};
+    points->own_name = ((const Core *)self)->sim->method.own;
+    points->own = p->field + AT_OWN;
     for (int d = 0; d < DIM; d++) {
         points->X[d] = p->field[AT_X0 + d];
         points->x[d] = p->field[AT_X + d];

@@ -9,13 +9,22 @@
 #include "skin.h"
 
 /* How far half widths may grow before they are capped: stretch 4, or one cell and a half. */
-static double widest_half(double half)
+static double widest_half(double half, bool list)
 {
-    return fmin(fmax(1.5, 4 * half), (MAX_WIDTH - 5) / 2.0);
+    const double most = (MAX_WIDTH - 5) / 2.0;
+    return list ? most : fmin(fmax(1.5, 4 * half), most);
+}
+
+static int own_count(const Method *method)
+{
+    int n = 0;
+    while (method->own && method->own[n]) n++;
+    return n;
 }
 
 static bool field_used(const Sim *sim, int field)
 {
+    if (field >= AT_OWN) return field - AT_OWN < own_count(&sim->method);
     if (field >= AT_N) return sim->method.surface;
     if (field >= AT_W) return sim->method.filter;
     if (field >= AT_U) return sim->setup->integrator == MUSL;
@@ -178,6 +187,18 @@ static void fill_particles(Sim *sim, const Layout *layout)
     sim->mass_body = ON_NODE * mean;
 }
 
+/* dv/dx becomes dv/dX = dv/dx F. */
+static void refer_gradient(Particles *p)
+{
+    double *const *L = p->field + AT_L, *const *F = p->field + AT_F;
+    for (int s = 0; s < p->n; s++)
+        for (int a = 0; a < DIM; a++) {
+            double row[DIM] = {0};
+            for (int k = 0; k < NMAT; k++) row[k % DIM] += L[a * DIM + k / DIM][s] * F[k][s];
+            for (int b = 0; b < DIM; b++) L[a * DIM + b][s] = row[b];
+        }
+}
+
 /* Initial state: x = X + u, and v, F, L as the scene says. */
 static bool start_particles(Sim *sim)
 {
@@ -197,6 +218,7 @@ static bool start_particles(Sim *sim)
                               p->field + AT_X, p->field + AT_V, p->field + AT_F, l);
     for (int d = 0; d < DIM; d++)
         for (int s = 0; s < p->n; s++) p->field[AT_X + d][s] += p->field[AT_X0 + d][s];
+    if (sim->total && p->field[AT_L]) refer_gradient(p);
     free(L);
     return true;
 }
@@ -212,7 +234,7 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
     if (layout_make(layout, s->scene, sim->dx / per_axis, s->count, s->fitted, fault)) return -1;
     sim->ppc = layout_ppc(layout, s->ppc, sim->dx);
     sim->half = 0.5 / per_axis * (layout->fit > 0 ? layout->fit : 1); /* l0 = h/(2n), n as placed */
-    sim->half_max = widest_half(sim->half);
+    sim->half_max = widest_half(sim->half, sim->method.list);
     for (int k = 0; k < layout->n; k++) {
         const bool surface = s->method->surface && !(layout->volume[k] > 0);
         sim->p.count += surface || layout->volume[k] > 0;
@@ -242,6 +264,8 @@ Sim *sim_new(const Setup *setup, Fault *fault)
     *sim = (Sim){0};
     sim->setup = setup;
     sim->method = *setup->method;
+    sim->total = setup->frame == FRAME_TOTAL;
+    sim->domain = sim->total ? DOMAIN_UNDEFORMED : setup->domain;
     if (sim->method.adapt) sim->method.adapt(setup->method_par, &sim->method);
     const int bad = build(sim, &layout, fault);
     layout_free(&layout);

@@ -13,17 +13,18 @@
 
 /* Particle fields; each is an array over slots, or NULL where the run does not need it. */
 enum {
-    AT_X0 = 0,          /* reference position [m], DIM of them */
-    AT_X = AT_X0 + DIM, /* position [m] */
-    AT_V = AT_X + DIM,  /* velocity [m/s] */
-    AT_F = AT_V + DIM,  /* deformation gradient [-], NMAT of them */
-    AT_M = AT_F + NMAT, /* mass [kg] */
-    AT_VOL = AT_M + 1,  /* reference volume [m^DIM] */
-    AT_L = AT_VOL + 1,  /* velocity gradient [1/s], NMAT: if the method keeps it */
-    AT_U = AT_L + NMAT, /* displacement of this step [m], DIM: if the integrator keeps it */
-    AT_W = AT_U + DIM,  /* velocity in a filter's round [m/s], DIM: if the method has a filter */
-    AT_N = AT_W + DIM,  /* outward normal in the reference state, DIM: of surface points */
-    FIELDS = AT_N + DIM
+    AT_X0 = 0,           /* reference position [m], DIM of them */
+    AT_X = AT_X0 + DIM,  /* position [m] */
+    AT_V = AT_X + DIM,   /* velocity [m/s] */
+    AT_F = AT_V + DIM,   /* deformation gradient [-], NMAT of them */
+    AT_M = AT_F + NMAT,  /* mass [kg] */
+    AT_VOL = AT_M + 1,   /* reference volume [m^DIM] */
+    AT_L = AT_VOL + 1,   /* velocity gradient [1/s], NMAT: if the method keeps it */
+    AT_U = AT_L + NMAT,  /* displacement of this step [m], DIM: if the integrator keeps it */
+    AT_W = AT_U + DIM,   /* velocity in a filter's round [m/s], DIM: if the method has a filter */
+    AT_N = AT_W + DIM,   /* outward normal in the reference state, DIM: of surface points */
+    AT_OWN = AT_N + DIM, /* the method's own, MAX_OWN */
+    FIELDS = AT_OWN + MAX_OWN
 };
 
 typedef struct Particles {
@@ -82,6 +83,8 @@ typedef struct Grid {
 typedef struct Sim {
     const Setup *setup;
     Method method; /* the run's own copy */
+    bool total;    /* FRAME_TOTAL: stencils, walls and symmetry lines stand in the reference */
+    Domain domain; /* undeformed in the reference */
     void *own;     /* the method's workspace, or NULL */
     Particles p;
     Grid g;
@@ -114,6 +117,14 @@ void sim_free(Sim *sim);
 
 /* Are order, spans and sizes consistent? For assertions and tests. */
 bool sim_is_valid(const Sim *sim);
+
+/* Fills the method's own fields from x and F, and finds the widest half width. */
+void sim_start_own(Sim *sim);
+
+/* The grid as general weights see it; and a chunk in the frame of the weights: in the total one at
+ * its reference positions, undeformed. */
+Place sim_place(const Sim *sim);
+Chunk sim_weight_chunk(const Sim *sim, const Chunk *c);
 
 /* Sorts particles by cell, rebuilds blocks, padding and live spans; sort.c. */
 void sim_sort(Sim *sim);
@@ -178,7 +189,9 @@ static inline Chunk sim_chunk(const Sim *sim, int k)
     Chunk c = {.par = sim->setup->method_par,
                .m = p->field[AT_M] + at,
                .V0 = p->field[AT_VOL] + at,
-               .id = p->id + at};
+               .id = p->id + at,
+               .own = p->field + AT_OWN,
+               .first = at};
     for (int d = 0; d < DIM; d++) {
         c.X[d] = p->field[AT_X0 + d] + at;
         c.x[d] = p->field[AT_X + d] + at;

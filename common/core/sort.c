@@ -12,7 +12,8 @@
 static void find_keys(Sim *sim)
 {
     for (int d = 0; d < DIM; d++) {
-        const double *x = sim->p.field[AT_X + d], cells = sim->g.cells, shift = sim->key_shift;
+        const double *x = sim->p.field[(sim->total ? AT_X0 : AT_X) + d], cells = sim->g.cells,
+                     shift = sim->key_shift;
         const int origin = sim->g.origin[d];
         int *key = sim->p.key[d];
         for (int k = 0; k < sim->p.n; k++) key[k] = (int)floor(x[k] * cells + shift) - origin;
@@ -140,19 +141,9 @@ static void find_spans(Sim *sim, const int order[])
     mirror_spans(g);
 }
 
-/* Widest half width now [cells]. (gcc 12 for arm64 fails at -O3 with `half` inside the loop.) */
-static double widest_now(const Sim *sim)
-{
-    double most = 0;
-    for (int d = 0; d < DIM; d++)
-        for (int s = 0; s < sim->p.n; s++)
-            most = fmax(most, domain_stretch(sim->setup->domain, sim->p.field + AT_F, d, s));
-    return fmin(sim->half * most, sim->half_max);
-}
-
 void sim_restart(Sim *sim)
 {
-    sim->half_now = widest_now(sim);
+    sim_start_own(sim);
     sim->travel = INFINITY;
 }
 

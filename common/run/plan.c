@@ -139,7 +139,8 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
             snprintf(pair, sizeof pair, "%s=%s", lists[l][k].name, text);
             if (spec_set(spec, pair, fault)) return FAULT_USAGE;
         }
-    const double usual = plan->setup.method && plan->setup.method->surface;
+    const Method *m = plan->setup.method;
+    const double usual = m && m->surface, frame = m ? m->frame : FRAME_CURRENT;
     int n = 0; /* drops run settings that equal their default or are stored in another field; keeps
                 * `dim`, because without it the command would select another run */
     for (int k = 0; k < spec->nset; k++) {
@@ -147,7 +148,10 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
         double value = 0;
         char takes[128];
         const bool read = p && !info_param_parse(p, spec->set[k].value, &value, takes);
-        const double known = p == &settings_common[P_LAYOUT] ? usual : p ? p->value : 0;
+        const double known = p == &settings_common[P_LAYOUT]  ? usual
+                             : p == &settings_common[P_FRAME] ? frame
+                             : p                              ? p->value
+                                                              : 0;
         const bool differs = p == &settings_common[P_DIM] || fabs(value - known) > 0;
         const bool keep = !p || (p != &settings_common[P_PARTICLES] && read && differs);
         if (!keep) continue;
@@ -274,8 +278,8 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
         whole("subcycles", run[P_SUBCYCLES], fault) ||
         read_params(spec, plan->method->params, plan->method_par, fault) ||
         make_scene(spec, plan, fault) || settings_integrator(spec, plan, run, fault) ||
-        settings_strain(spec, plan, run, fault) || check_distance(spec, plan, fault) ||
-        check_outputs(spec, plan, fault))
+        settings_strain(spec, plan, run, fault) || settings_frame(spec, plan, run, fault) ||
+        check_distance(spec, plan, fault) || check_outputs(spec, plan, fault))
         return FAULT_USAGE;
     s->scene = &plan->scene;
     s->method_par = plan->method_par;

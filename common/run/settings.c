@@ -32,6 +32,10 @@ static const Param run_params[] = {
                   "dt L/k)^k F",
                   "W11 eq 30", "linear|exponential|subcycled"},
     [P_SUBCYCLES] = {"subcycles", 4, 1, 1000, "", "k of strain_update=subcycled", "", NULL},
+    [P_FRAME] = {"frame", FRAME_CURRENT, 0, 1, "",
+                 "weights at the particles; or at their reference positions, for the whole run, "
+                 "with stress P and gradients in X (tlmpm's default)",
+                 "de Vaucorbeil et al. 2020", "current|total"},
     [RUN_PARAMS] = {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 const Param *const settings_common = run_params;
@@ -75,7 +79,7 @@ static bool has_boxes(const Method *m, const double par[])
 {
     Method own = *m;
     if (own.adapt) own.adapt(par, &own);
-    return own.width(1) > own.width(0.5);
+    return !own.list && own.width(1) > own.width(0.5);
 }
 
 bool settings_act_on_problem(int k, const Problem *p)
@@ -94,6 +98,7 @@ bool settings_act_on_method(int k, const Method *m)
     if (k == P_PARTICLES) return DIM == 1;
     if (k == P_ALLOW) return m->valid != all;
     if (k == P_REFRESH) return m->keeps_L;
+    if (k == P_FRAME) return !m->assemble;
     return k == P_DOMAIN ? has_boxes(m, par) : true;
 }
 
@@ -113,5 +118,43 @@ int settings_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *
                          "--set strain_update: got '%s', takes linear with %s, whose strain comes "
                          "from positions",
                          spec_get(spec, "strain_update"), spec->method);
+    return 0;
+}
+
+/* A wall that the body does not touch at the start. In the reference it never would. */
+static bool meets_walls_later(const Scene *s)
+{
+    for (const Wall *w = s->wall; w < s->wall + s->nwall; w++) {
+        const double body = w->side < 0 ? s->body_lo[w->axis] : s->body_hi[w->axis];
+        if (!w->mirror && w->side * (w->at - body) > 1e-9) return true;
+    }
+    return false;
+}
+
+/* Frame of the stencils: what is asked for, or the method's. */
+int settings_frame(const RunSpec *spec, Plan *plan, const double run[], Fault *fault)
+{
+    Setup *s = &plan->setup;
+    const char *given = spec_get(spec, "frame");
+    s->frame = given ? (Frame)run[P_FRAME] : s->method ? s->method->frame : FRAME_CURRENT;
+    if (s->frame != FRAME_TOTAL) return 0;
+    if (!s->method || s->method->assemble)
+        return fault_set(fault, FAULT_USAGE,
+                         "--set frame: got 'total', takes current with %s, which %s", spec->method,
+                         s->method ? "integrates over cells as the body fills them now"
+                                   : "has no particles");
+    if (meets_walls_later(&plan->scene))
+        return fault_set(
+            fault, FAULT_USAGE,
+            "--set frame: got 'total'%s, takes current with %s, whose body meets walls "
+            "that it does not touch at the start",
+            given ? "" : " (the method's default)", spec->problem);
+    if (s->domain == DOMAIN_STRETCH || s->strain != STRAIN_LINEAR)
+        return fault_set(fault, FAULT_USAGE,
+                         "--set %s: got '%s', takes %s with frame=total, where nothing but F "
+                         "follows the motion",
+                         s->domain == DOMAIN_STRETCH ? "domain" : "strain_update",
+                         spec_get(spec, s->domain == DOMAIN_STRETCH ? "domain" : "strain_update"),
+                         s->domain == DOMAIN_STRETCH ? "undeformed" : "linear");
     return 0;
 }

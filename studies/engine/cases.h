@@ -20,6 +20,7 @@ struct Cases {
     const char *dir;     /* where files go */
     const char *name;    /* the study's: files are NAME.PART.csv */
     const char *methods; /* keep only these ("mpm,gimp"), or NULL: all */
+    const char *also;    /* the study's: methods on request that it runs, too */
     char program[16];    /* what this program was built from: the last word of every key */
     Fault fault;         /* the first wrong case, if any */
 };

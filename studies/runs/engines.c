@@ -28,6 +28,14 @@ const Info *engine_method(const char *name)
     return found;
 }
 
+int engine_line(const Engine *engine, const char *method)
+{
+    int line = 0;
+    for (const Info *const *m = engine->methods; *m && strcmp((*m)->name, method) != 0; m++)
+        line += !(*m)->on_request;
+    return line;
+}
+
 bool engine_has_problem(const Engine *engine, const char *name)
 {
     return find(engine->problems, name) != NULL;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "ladder.h"
+#include "studies/runs/engines.h"
 #include "studies/select.h"
 
 /* Bits of pairs[]: of the plane cd and uvf, with and without a fresh gradient; T-5 has the others.
@@ -45,10 +46,9 @@ static void write_place(FILE *f, const Table *rows, int row)
     const Map *map = stability_of_row(rows, row);
     const char *method = select_text(rows, row, "method");
     const Pair pair = pairs[pair_of_row(rows, row)];
-    int line = 0;
-    while (strcmp(map->engine->methods[line]->name, method) != 0) line++;
     fprintf(f, "%d,%s,%s,%d,%d,%d,%d,", map->engine->dim, method, pair.integrator, pair.refresh,
-            stability_is_usual(map, method, pair), pair_of_row(rows, row), line);
+            stability_is_usual(map, method, pair), pair_of_row(rows, row),
+            engine_line(map->engine, method));
 }
 
 static int index_of(const double *list, double x)

@@ -33,6 +33,19 @@ static void for_cases(const Case *scene, Check *check)
     }
 }
 
+/* The same on the reference grid, with one integrator of two projections. */
+static void for_total(Check *check)
+{
+    FOR_METHODS(m)
+    {
+        Rig r;
+        if ((*m)->assemble) continue;
+        CU_ASSERT_FATAL(
+            rig_plan(&r, &between[DIM - 1], (*m)->info.name, UVF, "allow_unstable=1;frame=total"));
+        check(&r);
+    }
+}
+
 static void for_pairs(Check *check)
 {
     for_cases(&blocks[DIM - 1], check);
@@ -74,7 +87,7 @@ static void check_momentum(Rig *r)
 
 static void test_momentum(void)
 {
-    for_pairs(check_momentum);
+    for_pairs(check_momentum), for_total(check_momentum);
     for (int k = 0; k < 2; k++) for_cases(&on_nodes[DIM - 1][k], check_momentum);
 }
 
@@ -133,6 +146,7 @@ static void check_mirror(Rig *r)
         const int n = plain->p.count;
         double *field[FIELDS];
         mirror_fields(turned->p.field, n, axis, width);
+        sim_start_own(turned);
         CU_ASSERT_FATAL(rig_steps(r, plain, 0, moves) && rig_steps(r, turned, 0, moves));
         double *a = rig_state(plain), *b = rig_state(turned);
         for (int f = 0; f < FIELDS; f++) field[f] = b + f * n;
@@ -157,7 +171,7 @@ static void check_tent_mirror(Rig *r)
 
 static void test_mirror(void)
 {
-    for_cases(&between[DIM - 1], check_mirror);
+    for_cases(&between[DIM - 1], check_mirror), for_total(check_mirror);
     for_cases(&on_nodes[DIM - 1][1], check_tent_mirror);
 }
 
@@ -190,28 +204,8 @@ static void check_threads(Rig *r)
 
 static void test_threads(void)
 {
-    for_pairs(check_threads);
+    for_pairs(check_threads), for_total(check_threads);
     for_cases(&on_nodes[DIM - 1][0], check_threads);
-}
-
-/* Every column but the timings. */
-static void test_thread_rows(void)
-{
-    FOR_METHODS(m)
-    {
-        Row one, many;
-        Fault fault;
-        char a[ROW_TEXT], b[ROW_TEXT];
-        RunSpec spec = rig_spec(&blocks[DIM - 1], (*m)->info.name, NULL, "steps=20");
-        CU_ASSERT_FATAL(run_spec(&spec, &one, &fault) == 0);
-        spec.threads = 3;
-        CU_ASSERT_FATAL(run_spec(&spec, &many, &fault) == 0);
-        CHECK_TEXT(one.status, "ok");
-        for (int k = 0; k < row_columns(); k++) {
-            row_cell(&one, k, a), row_cell(&many, k, b);
-            if (!row_column_is_timing(k)) CHECK_TEXT(a, b);
-        }
-    }
 }
 
 /* ---- empty space: twice the box, the same block (on the same lines of the grid) */
@@ -269,7 +263,7 @@ static void check_poison(Rig *r)
 
 static void test_poison(void)
 {
-    for_pairs(check_poison);
+    for_pairs(check_poison), for_total(check_poison);
     for_cases(&on_nodes[DIM - 1][0], check_poison);
 }
 
@@ -291,7 +285,6 @@ static const TestCase tests[] = {
     {"mass", test_mass},
     {"mirrored scenes", test_mirror},
     {"bitwise the same on any number of threads", test_threads},
-    {"rows of several threads", test_thread_rows},
     {"empty space changes nothing", test_empty_space},
     {"unused nodes and padding are never read", test_poison},
     {"nor with wide stencils", test_poison_wide},

@@ -260,6 +260,29 @@ static void test_formulas(void)
         CU_ASSERT((*m)->formula && *(*m)->formula && !(*m)->scale);
 }
 
+/* Every column but the timings. */
+static void test_thread_rows(void)
+{
+    static const Case blocks[] = {{1, "free_block", 200, 2, 0, NULL},
+                                  {2, "free_block", 20, 4, 0, NULL},
+                                  {3, "free_block", 8, 8, 0, "dim=3"}};
+    FOR_METHODS(m)
+    {
+        Row one, many;
+        Fault fault;
+        char a[ROW_TEXT], b[ROW_TEXT];
+        RunSpec spec = rig_spec(&blocks[DIM - 1], (*m)->info.name, NULL, "steps=20");
+        CU_ASSERT_FATAL(run_spec(&spec, &one, &fault) == 0);
+        spec.threads = 3;
+        CU_ASSERT_FATAL(run_spec(&spec, &many, &fault) == 0);
+        CHECK_TEXT(one.status, "ok");
+        for (int k = 0; k < row_columns(); k++) {
+            row_cell(&one, k, a), row_cell(&many, k, b);
+            if (!row_column_is_timing(k)) CHECK_TEXT(a, b);
+        }
+    }
+}
+
 static const TestCase tests[] = {
     {"sums over blocks of points", test_blocks},
     {"error norms", test_norms},
@@ -269,6 +292,7 @@ static const TestCase tests[] = {
     {"strain energy", test_strain},
     {"formulas and error scales of scenes, formulas of methods", test_formulas},
     {"von Mises stress; columns of --particles", test_von_mises},
+    {"rows of several threads", test_thread_rows},
     {NULL, NULL},
 };
 CHECK_SUITE(tests)
