@@ -1,5 +1,5 @@
-/* checkpoint.c: see checkpoint.h. What a state consists of: stash_loop. */
-#include "checkpoint.h"
+/* checkpoint.c: the state of a run on disk (loop.h). What a state consists of: stash_loop. */
+#include "loop.h"
 #include <stdlib.h>
 #include <string.h>
 #include "common/base/saved.h"

@@ -3,7 +3,6 @@
 #define MPMLAB_LOOP_H
 
 #include <stdio.h>
-#include "handover.h"
 #include "ledger.h"
 #include "output.h"
 #include "plan.h"
@@ -14,7 +13,7 @@ typedef struct Counted {
     double kinetic, open;
 } Counted;
 
-/* Where the run's state goes and comes from, or NULL (checkpoint.h). */
+/* Where the run's state goes and comes from, or NULL. */
 typedef struct Save {
     const char *path, *resume;
     double every_s, last; /* [s] between two; loop_seconds of the last one */
@@ -90,6 +89,15 @@ bool relay_rescues(Loop *l, Side *before);
 
 /* The same as relay_take_over by a run that resumes behind it: the particles come from its file. */
 bool relay_go_on(Loop *l);
+
+/* --checkpoint FILE --every-s N, --resume FILE: rows, histories and particles of a run that was
+ * resumed have the bits of those of the whole run; checkpoint.c. */
+/* Between two steps: writes the state if it is time, or `now`. *m, *before: the instant reached. A
+ * fault goes to l->code. */
+void checkpoint_write(Loop *l, Moment *m, Side *before, bool now);
+
+/* The state from the file that the run resumes from. 0 or a fault. */
+int checkpoint_read(Loop *l, Moment *m, Side *before);
 
 /* Room for the largest number of slots that particles may need; false: none. run.c. */
 bool loop_fit_scratch(Loop *l);

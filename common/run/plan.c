@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "handover.h"
 #include "settings.h"
 #include "common/base/saved.h"
 #include "common/core/step.h"

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
-#include "checkpoint.h"
+#include "loop.h"
 #include "common/base/table.h"
 
 static double seconds(clockid_t clock)

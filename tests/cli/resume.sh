@@ -26,7 +26,7 @@ alike() { cmp -s "$1.row" "$2.row" && cmp -s "$1.history" "$2.history" && cmp -s
 killed() {
     rm -f state state.1 part.history
     "$program" run "$@" --quiet --history part.history --checkpoint state --every-s 1e-9 >/dev/null 2>err &
-    for ((k = 0; k < 20000; k++)); do [ -e state.1 ] && break; done
+    while [ ! -e state.1 ] && kill -0 $!; do :; done
     kill -KILL $!
     wait $!
 } 2>/dev/null
