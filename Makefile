@@ -140,6 +140,7 @@ test: ## every test
 	bash tests/cli/example.sh $(BUILD)/example
 	$(WRONG_TEST)
 	$(FAULT_TEST)
+	bash tests/cli/resume.sh $(BUILD)/mpmlab $(BUILD)/tests
 	bash tests/cli/install.sh $(BUILD) $(BUILD)/tests
 	bash tests/cli/cluster.sh $(BUILD)/mpmlab $(BUILD)/tests
 	bash tests/studies/page.sh $(BUILD)/mpmlab $(BUILD)/tests

@@ -98,6 +98,7 @@ void fem_load_sides(Fem *f, double t);
 const double *fem_load(const Fem *f, int axis);
 void fem_record_work(Fem *f, double t, double dt);
 double fem_work(const Fem *f);
+void fem_stash_work(Fem *f, Stash *s);
 
 extern const Solver solver_fem;
 

@@ -148,6 +148,8 @@ static void stash(void *self, Stash *s)
     Fem *f = self;
     if (stash_same(s, (long)f->bytes)) stash_bytes(s, f->memory, f->bytes);
     STASH(s, f->status);
+    STASH(s, f->outside);
+    if (f->sides) fem_stash_work(f, s);
 }
 
 static void destroy(void *self)

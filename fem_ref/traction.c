@@ -171,6 +171,11 @@ void fem_record_work(Fem *f, double t, double dt)
     f->sides->work += 0.5 * (before + work_of_step(f, dt));
 }
 
+void fem_stash_work(Fem *f, Stash *s)
+{
+    STASH(s, f->sides->work);
+}
+
 double fem_work(const Fem *f)
 {
     return f->sides ? f->sides->work : 0;

@@ -33,6 +33,9 @@ typedef struct RunSpec {
     const char *samples;                     /* what carries strain: elements, or particles */
     const char *errors;                      /* every point's error at the end, or NULL */
     const char *patches;                     /* polygons of cells or elements, or NULL */
+    const char *checkpoint, *resume;         /* files of the run's state: out, in; or NULL */
+    double save_s;                           /* [s] between two states; 0: 60 */
+    unsigned long program;                   /* that a state belongs to */
     const char *vtk;                         /* folder for snapshots, or NULL */
     int every;                               /* steps between snapshots; */
     double every_s;                          /*   or time between them [s] */

@@ -4,7 +4,10 @@
 void stash_bytes(Stash *s, void *at, size_t n)
 {
     if (s->bad || n == 0) return;
-    s->bad = (s->load ? fread(at, 1, n, s->f) : fwrite(at, 1, n, s->f)) != n;
+    if (s->load)
+        s->bad = fread(at, 1, n, s->f) != n;
+    else
+        s->bad = fwrite(at, 1, n, s->f) != n;
 }
 
 bool stash_same(Stash *s, long number)

@@ -33,7 +33,8 @@ struct Skin {
     double (*sum)[2 * DIM]; /* [nodes] with cells: forces, and areas times normals; else NULL */
     Foot *foot;             /* of the last deposit */
     double work;
-    double *memory;
+    double *memory; /* of so many numbers: */
+    size_t numbers;
 };
 
 static bool allocate(Skin *s, int n)
@@ -41,7 +42,8 @@ static bool allocate(Skin *s, int n)
     double **const fields[] = {s->X, s->N, s->x, s->force, s->move};
     const int count = sizeof fields / sizeof *fields;
     s->n = n;
-    s->memory = calloc((size_t)(count * DIM + NMAT + 1) * (size_t)(n + 1), sizeof(double));
+    s->numbers = (size_t)(count * DIM + NMAT + 1) * (size_t)(n + 1);
+    s->memory = calloc(s->numbers, sizeof(double));
     s->foot = calloc((size_t)n + 1, sizeof *s->foot);
     if (!s->memory || !s->foot) return false;
     for (int f = 0; f < count; f++)
@@ -97,6 +99,13 @@ void skin_free(Skin *skin)
     if (!skin) return;
     free(skin->memory), free(skin->foot), free(skin->sum);
     free(skin);
+}
+
+void skin_stash(Skin *skin, Stash *s)
+{
+    if (!stash_same(s, skin ? skin->n : 0) || !skin) return;
+    stash_bytes(s, skin->memory, sizeof(double) * skin->numbers);
+    STASH(s, skin->work);
 }
 
 double skin_work(const Skin *skin)

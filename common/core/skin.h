@@ -3,6 +3,7 @@
 #ifndef MPMLAB_SKIN_H
 #define MPMLAB_SKIN_H
 
+#include "common/base/stash.h"
 #include "common/contract/problem.h"
 
 struct Sim;
@@ -17,6 +18,9 @@ void skin_deposit(struct Sim *sim, double t);
 
 /* Moves the points with the grid velocity of the step from t to t + dt and adds up their work. */
 void skin_move(struct Sim *sim, double t, double dt);
+
+/* What steps change of it, for a checkpoint. */
+void skin_stash(Skin *skin, Stash *s);
 
 /* [J] work of the traction so far. */
 double skin_work(const Skin *skin);

@@ -1,6 +1,7 @@
 /* stash.c: everything that steps change of a Sim (sim.h), slot by slot, padding included. The
  * grid's nodes, and what methods keep of them, are made anew in every step. */
 #include "sim.h"
+#include "skin.h"
 
 static void stash_order(Sim *sim, Stash *s)
 {
@@ -34,6 +35,9 @@ void sim_stash(Sim *sim, Stash *s)
     STASH(s, sim->nodes);
     STASH(s, sim->live);
     STASH(s, sim->impulse);
+    STASH(s, sim->outside);
+    STASH(s, sim->moved);
     STASH(s, sim->fallbacks);
     STASH(s, sim->status);
+    skin_stash(sim->skin, s);
 }

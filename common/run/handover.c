@@ -1,6 +1,5 @@
-/* handover.c: see handover.h. The second method is planned as a run of its own, on the same scene,
- * mesh and layout. */
-#include "handover.h"
+/* handover.c: the hand-over of plan.h. The second method is planned as a run of its own, on the
+ * same scene, mesh and layout. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -67,6 +67,7 @@ Side ledger_motion(const Points *q, int threads, Scratch *scratch)
     const int blocks = (q->n + BLOCK - 1) / BLOCK;
     double(*part)[SUMS] = (double(*)[SUMS])(void *)scratch->w;
     Side out = {0};
+    (void)threads; /* without OpenMP */
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (int b = 0; b < blocks; b++) {
         Lanes s;
@@ -89,6 +90,7 @@ double ledger_strain(const Scene *scene, const Samples *q, int threads, Scratch 
 {
     const int blocks = (q->n + BLOCK - 1) / BLOCK;
     double *part = scratch->w, sum = 0;
+    (void)threads;
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (int b = 0; b < blocks; b++) {
         Lanes s;

@@ -3,7 +3,6 @@
 #define MPMLAB_LOOP_H
 
 #include <stdio.h>
-#include "handover.h"
 #include "ledger.h"
 #include "output.h"
 #include "plan.h"
@@ -15,6 +14,15 @@ typedef struct Counted {
     double kinetic, open;
 } Counted;
 
+/* Where the run's state goes and comes from, or NULL. */
+typedef struct Save {
+    const char *path, *resume;
+    double every_s, last; /* [s] between two; loop_seconds of the last one */
+    double began, spent;  /* [s] loop_seconds at the start; run time before the resumption */
+    char command[SPEC_TEXT];
+    unsigned long program;
+} Save;
+
 typedef struct Loop {
     const Plan *plan;
     const volatile sig_atomic_t *stop; /* RunSpec.stop */
@@ -24,6 +32,7 @@ typedef struct Loop {
     Counts earlier;    /*   what the first method has counted, */
     Vec given;         /*   and the impulse that it got [kg m/s] */
     Stash undo;        /* AT_INVERTED: the particles before the step under way */
+    Save save;
     Scratch scratch;
     FILE *history;
     Snapshots shots; /* dir NULL: none are asked for */
@@ -69,6 +78,8 @@ void loop_record_momentum(Loop *l, const Side *after);
 void loop_record_work(Loop *l, double t); /* of the step from t that has just been finished */
 void loop_record_errors(Loop *l, Errors e);
 
+double loop_seconds(void); /* of a clock that only goes on; run.c */
+
 /* Hand-over, before step `done` is taken: is it due; do it, with *before as it is then. False: a
  * fault, in l->code. relay.c. */
 bool relay_is_due(const Loop *l);
@@ -78,6 +89,18 @@ bool relay_take_over(Loop *l, Side *before);
  * the second method. */
 void relay_before_step(Loop *l);
 bool relay_rescues(Loop *l, Side *before);
+
+/* The same as relay_take_over by a run that resumes behind it: the particles come from its file. */
+bool relay_go_on(Loop *l);
+
+/* --checkpoint FILE --every-s N, --resume FILE: rows, histories and particles of a run that was
+ * resumed have the bits of those of the whole run; checkpoint.c. */
+/* Between two steps: writes the state if it is time, or `now`. *m, *before: the instant reached. A
+ * fault goes to l->code. */
+void checkpoint_write(Loop *l, Moment *m, Side *before, bool now);
+
+/* The state from the file that the run resumes from. 0 or a fault. */
+int checkpoint_read(Loop *l, Moment *m, Side *before);
 
 /* Room for the largest number of slots that particles may need; false: none. run.c. */
 bool loop_fit_scratch(Loop *l);

@@ -59,6 +59,7 @@ static void displacement_errors(const Scene *scene, const Points *p, double t, i
 Errors norm_displacement(const Scene *scene, const Points *p, double t, int threads, Scratch *s)
 {
     enum { BLOCK = 16 * CHUNK };
+    (void)threads; /* without OpenMP */
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (int at = 0; at < p->n; at += BLOCK) displacement_errors(scene, p, t, at, BLOCK, s);
     return norms(p->n, s->w, p->V0);

@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "handover.h"
 #include "probe.h"
 #include "settings.h"
+#include "common/base/saved.h"
 #include "common/core/step.h"
 
 static int param_count(const Param *p)
@@ -244,6 +244,14 @@ static int check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
         return fault_set(fault, FAULT_USAGE,
                          "--history: got '%s', takes a scene in motion, and %s has no time steps",
                          spec->history, spec->problem);
+    if ((spec->checkpoint || spec->resume) && plan->scene.problem->projection)
+        return fault_set(fault, FAULT_USAGE,
+                         "--%s: got '%s', takes a scene in motion, and %s has no time steps",
+                         spec->checkpoint ? "checkpoint" : "resume",
+                         spec->checkpoint ? spec->checkpoint : spec->resume, spec->problem);
+    if (spec->checkpoint && (saved_check_path("--checkpoint", spec->checkpoint, fault) ||
+                             saved_check_path("--history", spec->history, fault)))
+        return FAULT_USAGE;
     if (spec->errors && (!plan->scene.problem->exact || plan->scene.problem->projection))
         return plan_no_exact_motion(spec, fault);
     if (probe_check(spec, &plan->scene, fault)) return FAULT_USAGE;

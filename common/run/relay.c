@@ -18,6 +18,25 @@ bool relay_is_due(const Loop *l)
     return h->at == AT_J && volumes_now(l).least < h->value;
 }
 
+/* The second method's solver in the place of the first one's. */
+static bool change_to(Loop *l, void *next)
+{
+    l->plan->solver->free(l->self);
+    loop_close(l);
+    l->self = next;
+    l->plan = &l->handover.plan;
+    if (!loop_fit_scratch(l) || !loop_open(l))
+        l->code = fault_set(l->fault, FAULT_MACHINE, "out of memory");
+    return !l->code;
+}
+
+bool relay_go_on(Loop *l)
+{
+    const Plan *plan = &l->handover.plan;
+    void *next = l->handover.at != AT_NEVER ? plan->solver->make(&plan->setup, l->fault) : NULL;
+    return next && change_to(l, next);
+}
+
 bool relay_take_over(Loop *l, Side *before)
 {
     const Solver *solver = l->plan->solver;
@@ -30,15 +49,10 @@ bool relay_take_over(Loop *l, Side *before)
     solver->counts(l->self, &l->earlier);
     solver->impulse(l->self, impulse);
     for (int d = 0; d < DIM; d++) l->given[d] += impulse[d];
-    solver->free(l->self);
-    loop_close(l);
-    l->self = next;
-    l->plan = &l->handover.plan;
     l->taken_over = l->done;
-    if (!loop_fit_scratch(l) || !loop_open(l))
-        l->code = fault_set(l->fault, FAULT_MACHINE, "out of memory");
+    if (!change_to(l, next)) return false;
     *before = loop_measure_side(l);
-    return !l->code;
+    return true;
 }
 
 void relay_before_step(Loop *l)

@@ -17,6 +17,11 @@ static double seconds(clockid_t clock)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+double loop_seconds(void)
+{
+    return seconds(CLOCK_MONOTONIC);
+}
+
 static Errors errors_now(Loop *l, double t)
 {
     Points p;
@@ -51,21 +56,34 @@ static bool stopped(const Loop *l)
     return l->stop && *l->stop && l->done < l->n && !grown(l);
 }
 
+/* Instant 0; or, of a run that resumes, the one that it has reached. */
+static void begin(Loop *l, Moment *m, Side *before)
+{
+    if (l->save.resume) {
+        l->code = checkpoint_read(l, m, before);
+        return;
+    }
+    *before = loop_measure_side(l);
+    memcpy(l->p0, before->p, sizeof l->p0);
+    l->momentum = before->mv;
+    *m = (Moment){.dt = l->dt,
+                  .error_linf = errors_now(l, 0).linf,
+                  .nprobe = l->probes.n,
+                  .nwall = l->plan->scene.nwall};
+    loop_measure_state(l, m);
+    if (l->shots.dir)
+        l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
+}
+
 /* Instants 0 .. n. The kinetic energy of instant k is known after step k. */
 static void run_steps(Loop *l)
 {
-    Side before = loop_measure_side(l);
-    memcpy(l->p0, before.p, sizeof l->p0);
-    l->momentum = before.mv;
-    Moment m = {.dt = l->dt,
-                .error_linf = errors_now(l, 0).linf,
-                .nprobe = l->probes.n,
-                .nwall = l->plan->scene.nwall};
-    loop_measure_state(l, &m);
-    if (l->shots.dir)
-        l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
+    Side before;
+    Moment m;
+    begin(l, &m, &before);
     for (; l->done < l->n && !grown(l) && !l->code && !stopped(l); l->done++) {
         const double t = (double)l->done * l->dt;
+        checkpoint_write(l, &m, &before, false);
         if (relay_is_due(l) && !relay_take_over(l, &before)) return;
         relay_before_step(l);
         take_step(l, t);
@@ -90,6 +108,7 @@ static void run_steps(Loop *l)
         before = after;
         shoot(l, l->done + 1, false);
     }
+    if (stopped(l)) checkpoint_write(l, &m, &before, true);
     m.t = (double)l->done * l->dt; /* the last instant waits for last_instant */
     l->last = m;
 }
@@ -201,9 +220,20 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
     return 0;
 }
 
+/* A run's key is its command, whoever many threads make it. */
+static void set_save(Loop *l, RunSpec spec)
+{
+    l->save.path = spec.checkpoint;
+    l->save.resume = spec.resume;
+    l->save.every_s = spec.save_s > 0 ? spec.save_s : 60;
+    l->save.last = l->save.began;
+    l->save.program = spec.program;
+    spec.threads = 0;
+    spec_command(&spec, l->save.command);
+}
+
 int run_spec(const RunSpec *spec, Row *row, Fault *fault)
 {
-    const double began = seconds(CLOCK_MONOTONIC);
     RunSpec own = *spec;
     Plan plan;
     Loop l = {.plan = &plan,
@@ -212,9 +242,11 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
               .growth_step = -1,
               .worst = norm_no_errors,
               .drift = NAN};
+    l.save.began = loop_seconds();
     int code = plan_make(&own, &plan, fault);
     if (code) return code;
     *row = row_empty();
+    set_save(&l, own);
     l.shots = (Snapshots){.dir = own.vtk, .every = own.every, .every_s = own.every_s};
     l.fault = fault;
     report_inputs(&own, &plan, row);
@@ -222,7 +254,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     if (spec_files_check(spec, fault) || (spec->vtk && snapshot_check(spec->vtk, fault)))
         return FAULT_MACHINE;
     if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
-    if (l.history) output_history_header(l.history, own.nprobe, plan.scene.nwall);
+    if (l.history && !own.resume) output_history_header(l.history, own.nprobe, plan.scene.nwall);
     l.self = plan.solver->make(&plan.setup, fault);
     code = l.self ? run_plan(&own, &l, row, fault) : fault->code;
     if (l.self) plan.solver->free(l.self);
@@ -233,6 +265,6 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     snapshot_free(&l.shots);
     if (l.history && code) file_abandon(l.history, spec->history);
     if (l.history && !code) code = file_commit(l.history, spec->history, fault);
-    row->wall_run_s = seconds(CLOCK_MONOTONIC) - began;
+    row->wall_run_s = l.save.spent + loop_seconds() - l.save.began;
     return code;
 }

@@ -238,6 +238,22 @@ int snapshot_take(Snapshots *s, const Scene *scene, const Solver *solver, const 
     return code;
 }
 
+void snapshot_stash(Snapshots *s, Stash *stash)
+{
+    if (!stash_same(stash, s->dir != NULL) || !s->dir) return;
+    STASH(stash, s->slot);
+    for (int kind = 0; kind < SHOT_KINDS; kind++) {
+        int n = s->n[kind];
+        STASH(stash, n);
+        for (s->n[kind] = 0; s->n[kind] < n && !stash->bad; s->n[kind]++) {
+            stash->bad = !make_room(s, kind);
+            if (stash->bad) return;
+            STASH(stash, s->step[kind][s->n[kind]]);
+            STASH(stash, s->t[kind][s->n[kind]]);
+        }
+    }
+}
+
 int snapshot_start(Snapshots *s, const Setup *setup, const Solver *solver, const void *self,
                    Fault *fault)
 {

@@ -18,7 +18,7 @@ static unsigned long add_checksum(unsigned long sum, const char *text)
 }
 
 /* Rows of other sources, another compiler or other flags are not this program's. */
-static unsigned long program_checksum(void)
+unsigned long cases_program(void)
 {
     unsigned long sum = add_checksum(0, FACT_SOURCES);
     return add_checksum(add_checksum(sum, FACT_COMPILER), FACT_FLAGS);
@@ -115,7 +115,7 @@ int cases_build(Cases *cases, const Study *study, bool quick, const char *method
                 Fault *fault)
 {
     *cases = (Cases){.dir = dir, .name = study->name, .methods = methods, .also = study->also};
-    snprintf(cases->program, sizeof cases->program, "%08lx", program_checksum());
+    snprintf(cases->program, sizeof cases->program, "%08lx", cases_program());
     if (study->cases) study->cases(cases, quick);
     cases->listed = cases->n;
     return finish(cases, study, fault);
@@ -185,7 +185,7 @@ int *cases_missing(const Cases *cases, const Journal *journal, int *n)
 
 unsigned long cases_checksum(const Cases *cases)
 {
-    unsigned long sum = program_checksum();
+    unsigned long sum = cases_program();
     for (int k = 0; k < cases->listed; k++) sum = add_checksum(sum, cases->list[k].key);
     return sum;
 }

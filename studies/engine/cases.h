@@ -37,6 +37,9 @@ void cases_free(Cases *cases);
 /* Indices into cases of what must still run, each run once; *n of them, owned by the caller. */
 int *cases_missing(const Cases *cases, const Journal *journal, int *n);
 
+/* What this program's results depend on: its sources and how they were compiled. */
+unsigned long cases_program(void);
+
 /* A checksum over all listed keys: what the table of this study depends on. */
 unsigned long cases_checksum(const Cases *cases);
 

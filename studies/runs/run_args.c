@@ -35,6 +35,9 @@ const Option run_args_options[] = {
     {"patches", "FILE", "write the polygons of cells or elements at the end (2D, 3D)"},
     {"vtk", "DIR", "write snapshots into DIR"},
     {"every", "K", "steps between snapshots, or seconds: .001s (default: first and last only)"},
+    {"checkpoint", "FILE", "write the run's state into FILE as it goes; FILE.1 is the one before"},
+    {"every-s", "N", "seconds between two checkpoints (default 60)"},
+    {"resume", "FILE", "go on from a checkpoint of the same run; if it is torn, from FILE.1"},
     {"quiet", NULL, "no messages"},
     {NULL, NULL, NULL},
 };
@@ -52,16 +55,22 @@ static const struct Number {
     {"ppc", offsetof(RunSpec, ppc), 1e6, 0, "a number above 0, at most 1000000"},
     {"cfl", offsetof(RunSpec, cfl), 1e3, 0, "a number above 0, at most 1000"},
     {"t-end", offsetof(RunSpec, t_end), 1e12, 0, "a number above 0, at most 1e12"},
+    {"every-s", offsetof(RunSpec, save_s), 1e6, 0, "seconds above 0, at most 1000000"},
 };
 
 static const struct File {
     const char *option;
     size_t at;
 } files[] = {
-    {"history", offsetof(RunArgs, spec.history)}, {"particles", offsetof(RunArgs, spec.particles)},
-    {"nodes", offsetof(RunArgs, spec.nodes)},     {"samples", offsetof(RunArgs, spec.samples)},
-    {"errors", offsetof(RunArgs, spec.errors)},   {"patches", offsetof(RunArgs, spec.patches)},
-    {"vtk", offsetof(RunArgs, spec.vtk)},         {"csv", offsetof(RunArgs, csv)},
+    {"history", offsetof(RunArgs, spec.history)},
+    {"particles", offsetof(RunArgs, spec.particles)},
+    {"nodes", offsetof(RunArgs, spec.nodes)},
+    {"samples", offsetof(RunArgs, spec.samples)},
+    {"errors", offsetof(RunArgs, spec.errors)},
+    {"patches", offsetof(RunArgs, spec.patches)},
+    {"vtk", offsetof(RunArgs, spec.vtk)},
+    {"checkpoint", offsetof(RunArgs, spec.checkpoint)},
+    {"csv", offsetof(RunArgs, csv)},
 };
 
 static int take_problem(RunSpec *spec, const char *got, Fault *fault)
@@ -205,6 +214,13 @@ static int take_probe(RunArgs *args, const char *got, Fault *fault)
     return 0;
 }
 
+static int take_resume(RunArgs *args, const char *got, Fault *fault)
+{
+    if (!*got) return fault_set(fault, FAULT_USAGE, "--resume: got '', takes a path");
+    args->spec.resume = got;
+    return 0;
+}
+
 static int take_quiet(RunArgs *args, const char *got, Fault *fault)
 {
     (void)got, (void)fault;
@@ -219,7 +235,8 @@ static const struct {
               {"set", take_set},         {"then", take_then},
               {"at", take_at},           {"then-set", take_then_set},
               {"threads", take_threads}, {"every", take_every},
-              {"probe", take_probe},     {"quiet", take_quiet}};
+              {"probe", take_probe},     {"resume", take_resume},
+              {"quiet", take_quiet}};
 
 static int take(void *into, const char *name, const char *got, Fault *fault)
 {
@@ -248,13 +265,15 @@ int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault)
     if (args->spec.nprobe && !args->spec.history)
         return fault_set(fault, FAULT_USAGE, "--probe: got '%.80s', needs --history FILE",
                          args->spec.probe[0].text);
+    if (args->spec.save_s > 0 && !args->spec.checkpoint)
+        return fault_set(fault, FAULT_USAGE, "--every-s: needs --checkpoint FILE");
     return 0;
 }
 
 static bool names_files(const RunSpec *s)
 {
     return s->history || s->particles || s->nodes || s->samples || s->errors || s->patches ||
-           s->vtk;
+           s->vtk || s->checkpoint || s->resume;
 }
 
 int run_args_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault)
