@@ -50,9 +50,10 @@ typedef struct Fem {
 
     Wall barrier[MAX_WALLS]; /* walls that a node may run into */
     int barriers;
-    double edge;   /* [m] length in the time step limit */
-    Status status; /* of the current positions */
-    void *memory;  /* all arrays */
+    double dt_before; /* [s] of the step before; 0: none */
+    double edge;      /* [m] length in the time step limit */
+    Status status;    /* of the current positions */
+    void *memory;     /* all arrays */
 } Fem;
 
 /* Where the force on a corner of element e lies; and a force that is always zero. */

@@ -13,8 +13,8 @@ static void say_status(const Loop *l, Row *row)
     if (grew)
         snprintf(row->reason, sizeof row->reason,
                  "step %ld t=%.6g energy 5 %% above its start; fastest %s %d v=%.6g",
-                 l->growth_step, (double)l->growth_step * l->dt,
-                 l->plan->setup.method ? "particle" : "node", l->fastest, l->speed);
+                 l->growth_step, l->growth_t, l->plan->setup.method ? "particle" : "node",
+                 l->fastest, l->speed);
     else if (l->status.code == EMPTY)
         strcpy(row->reason, l->status.point < 0
                                 ? "no particle lies inside the body"
@@ -73,7 +73,7 @@ void report_results(const Loop *l, Row *row)
     row->wall_s = l->wall;
     say_status(l, row);
     if (problem->projection) return;
-    row->dt = l->dt;
+    row->dt = l->plan->adaptive && l->done > 0 ? l->t / (double)l->done : l->dt;
     if (l->instants > 1) row->energy_drift = (l->now - l->start) / l->largest;
     row->momentum_drift = l->momentum > 0 ? l->drift / l->momentum : NAN;
     if (l->done > 0) row->ns_per_particle_step = 1e9 * l->cpu / (row->particles * row->steps);

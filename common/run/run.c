@@ -34,11 +34,53 @@ static void take_step(Loop *l, double t)
     l->wall += seconds(CLOCK_MONOTONIC) - wall;
 }
 
+/* W11 eq 34: the longest step now, not below a thousandth of the first one, which a run that blows
+ * up would soon reach. */
+static double longest_step(const Loop *l)
+{
+    Points p;
+    Samples q;
+    double speed;
+    const Plan *plan = l->plan;
+    const double c = material_wave_speed_bound(&plan->scene.mat),
+                 length = l->unit_dt * plan->scene.c;
+    plan->solver->view(l->self, &p, &q);
+    ledger_fastest_point(&p, &speed);
+    return plan->cfl * length / (c + fmin(fmax(speed, 0), 999 * c));
+}
+
+/* The next step; the last two share what is left, so that t_end is met exactly. */
+static void adapt_dt(Loop *l)
+{
+    const double left = l->plan->t_end - l->t, longest = longest_step(l);
+    l->dt_before = l->done > 0 ? l->dt : 0;
+    l->dt = left <= 0 ? longest : left <= longest ? left : fmin(longest, 0.5 * left);
+}
+
+static bool is_over(const Loop *l)
+{
+    if (!l->plan->adaptive) return l->done >= l->n;
+    return l->t >= l->plan->t_end || (l->plan->steps > 0 && l->done >= l->plan->steps);
+}
+
+/* End of this step; the last one ends at t_end in every bit. */
+static double end_of_step(const Loop *l)
+{
+    if (!l->plan->adaptive) return (double)(l->done + 1) * l->dt;
+    return l->dt >= l->plan->t_end - l->t ? l->plan->t_end : l->t + l->dt;
+}
+
+/* Share of the second of two half steps in the instant between them. */
+static double share_after(const Loop *l)
+{
+    return l->dt_before > 0 ? l->dt_before / (l->dt_before + l->dt) : 0.5;
+}
+
 static void shoot(Loop *l, long step, bool last)
 {
     if (l->shots.dir && !l->code)
         l->code = snapshot_take(&l->shots, &l->plan->scene, l->plan->solver, l->self, step,
-                                (double)step * l->dt, last, l->fault);
+                                step > l->done ? end_of_step(l) : l->t, last, l->fault);
 }
 
 static bool grown(const Loop *l)
@@ -59,17 +101,20 @@ static void run_steps(Loop *l)
     loop_measure_state(l, &m);
     if (l->shots.dir)
         l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
-    for (; l->done < l->n && !grown(l) && !l->code; l->done++) {
-        const double t = (double)l->done * l->dt;
+    for (; !is_over(l) && !grown(l) && !l->code; l->done++) {
+        const double t = l->t;
+        if (l->plan->adaptive) adapt_dt(l);
         take_step(l, t);
         if (l->status.code != OK) {
             l->failed_at = t + l->dt;
             return;
         }
         const Side after = loop_measure_side(l);
-        const double w = l->done > 0 ? 0.5 : 0; /* the first instant is not between two halves */
+        const double w =
+            l->done > 0 ? share_after(l) : 0; /* the first instant is not between two halves */
         if (l->done == 0) loop_record_start(l, &before, &after, m.strain);
         m.t = t;
+        m.dt = l->dt;
         m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
         for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
         loop_record_energy(l, &m, &before, &after);
@@ -81,8 +126,9 @@ static void run_steps(Loop *l)
         loop_measure_state(l, &m);
         before = after;
         shoot(l, l->done + 1, false);
+        l->t = end_of_step(l);
     }
-    m.t = (double)l->done * l->dt; /* the last instant waits for last_instant */
+    m.t = l->t; /* the last instant waits for last_instant */
     l->last = m;
 }
 
@@ -91,9 +137,10 @@ static void last_instant(Loop *l)
 {
     Moment m = l->last;
     const Side before = loop_measure_side(l);
+    if (l->plan->adaptive) adapt_dt(l);
     const Status status =
         l->done > 0 ? l->plan->solver->step(l->self, m.t, l->dt, false) : (Status){EMPTY, -1, 0};
-    const double w = status.code == OK ? 0.5 : 0;
+    const double w = status.code == OK ? share_after(l) : 0;
     const Side after = status.code == OK ? loop_measure_side(l) : before;
     m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
     for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
@@ -106,6 +153,7 @@ static void choose_dt(Loop *l)
     const double unit =
         plan->solver->unit_dt ? plan->solver->unit_dt(l->self) : plan->scene.cell / plan->scene.c;
     const double n = fmax(ceil(plan->t_end / (plan->cfl * unit) - 1e-9), 1);
+    l->unit_dt = unit;
     l->dt = plan->t_end / n;
     l->n = plan->steps > 0 && (double)plan->steps < n ? plan->steps : (long)n;
 }
@@ -136,7 +184,8 @@ static int write_errors_now(const char *path, Loop *l, Fault *fault)
 {
     Points p;
     Samples q;
-    const double t = (double)steps_moved(l) * l->dt;
+    const double t = l->plan->adaptive ? l->t + (steps_moved(l) > l->done ? l->dt : 0)
+                                       : (double)steps_moved(l) * l->dt;
     l->plan->solver->view(l->self, &p, &q);
     return output_errors(path, &l->plan->scene, &p, t, &l->scratch, fault);
 }

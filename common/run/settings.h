@@ -18,6 +18,7 @@ enum {
     P_DOMAIN,
     P_STRAIN,
     P_SUBCYCLES,
+    P_DT,
     RUN_PARAMS
 };
 

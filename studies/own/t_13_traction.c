@@ -19,10 +19,10 @@ static void cases(Cases *list, bool quick)
 {
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         const char *method = (*m)->name;
-        for (int k = 0; k < (quick ? 1 : meshes_of(method)); k++) {
-            case_add(list, "run ring --method %s --cells %d", method, cells[k]);
-            case_add(list, "run ring --method %s --cells %d --set traction=1", method, cells[k]);
-        }
+        for (int traction = 0; traction < 2; traction++)
+            for (int k = 0; k < (quick ? 1 : meshes_of(method)); k++)
+                case_add(list, "run ring --method %s --cells %d --set traction=%d", method,
+                         cells[k], traction);
     }
     for (const Info *const *m = engine_1d.methods; *m; m++)
         for (int k = 0; k < (quick ? 1 : BAR_MESHES); k++)
