@@ -88,6 +88,13 @@ static bool grown(const Loop *l)
     return l->plan->stop_growth && l->growth_step >= 0;
 }
 
+/* Kinetic energy and momentum between two half steps, with the share w of the second. */
+static void centre(Moment *m, const Side *before, const Side *after, double w)
+{
+    m->kinetic = (1 - w) * before->kinetic + w * after->kinetic;
+    for (int d = 0; d < DIM; d++) m->momentum[d] = (1 - w) * before->p[d] + w * after->p[d];
+}
+
 /* Instants 0 .. n. The kinetic energy of instant k is known after step k. */
 static void run_steps(Loop *l)
 {
@@ -110,13 +117,11 @@ static void run_steps(Loop *l)
             return;
         }
         const Side after = loop_measure_side(l);
-        const double w =
-            l->done > 0 ? share_after(l) : 0; /* the first instant is not between two halves */
         if (l->done == 0) loop_record_start(l, &before, &after, m.strain);
         m.t = t;
         m.dt = l->dt;
-        m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
-        for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
+        /* the first instant is not between two halves */
+        centre(&m, &before, &after, l->done > 0 ? share_after(l) : 0);
         loop_record_energy(l, &m, &before, &after);
         loop_record_momentum(l, &after);
         loop_record_work(l, t);
@@ -142,8 +147,7 @@ static void last_instant(Loop *l)
         l->done > 0 ? l->plan->solver->step(l->self, m.t, l->dt, false) : (Status){EMPTY, -1, 0};
     const double w = status.code == OK ? share_after(l) : 0;
     const Side after = status.code == OK ? loop_measure_side(l) : before;
-    m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
-    for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
+    centre(&m, &before, &after, w);
     loop_record_energy(l, &m, &before, &after);
 }
 
