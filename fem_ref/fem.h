@@ -50,11 +50,12 @@ typedef struct Fem {
 
     Wall barrier[MAX_WALLS]; /* walls that a node may run into */
     int barriers;
-    double edge;   /* [m] length in the time step limit */
-    bool moved;    /* by the last step */
-    Status status; /* of the current positions */
-    void *memory;  /* all arrays, */
-    size_t bytes;  /*   so many */
+    double dt_before; /* [s] of the step before; 0: none */
+    double edge;      /* [m] length in the time step limit */
+    bool moved;       /* by the last step */
+    Status status;    /* of the current positions */
+    void *memory;     /* all arrays, */
+    size_t bytes;     /*   so many */
 } Fem;
 
 /* Where the force on a corner of element e lies; and a force that is always zero. */

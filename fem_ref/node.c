@@ -165,7 +165,8 @@ static void record_outside(Fem *f, double t, double dt)
 
 void fem_move(Fem *f, double t, double dt, bool first)
 {
-    const double dt_v = first ? 0.5 * dt : dt;
+    const double before = first ? 0 : f->dt_before > 0 ? f->dt_before : dt;
+    const double dt_v = 0.5 * (before + dt); /* from the middle of one step to that of the next */
     const int slots = f->integrate ? f->slots : 0;
 #pragma omp parallel for schedule(static) num_threads(f->threads)
     for (int start = 0; start < slots; start += CHUNK) pull_chunk(f, start, t);
@@ -174,4 +175,5 @@ void fem_move(Fem *f, double t, double dt, bool first)
 #pragma omp parallel for schedule(static) num_threads(f->threads)
     for (int lo = 0; lo < f->nodes; lo += BLOCK) move_block(f, lo, t, dt, dt_v);
     if (f->sides) fem_record_work(f, t, dt);
+    f->dt_before = dt;
 }

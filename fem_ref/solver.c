@@ -149,6 +149,7 @@ static void stash(void *self, Stash *s)
     if (stash_same(s, (long)f->bytes)) stash_bytes(s, f->memory, f->bytes);
     STASH(s, f->status);
     STASH(s, f->outside);
+    STASH(s, f->dt_before);
     if (f->sides) fem_stash_work(f, s);
 }
 

@@ -153,6 +153,7 @@ static void *core_take_over(const Setup *setup, void *self, Fault *fault)
     Core *next = core_make(setup, fault), *before = self;
     if (!next) return NULL;
     next->start = before->start;
+    next->sim->dt_before = before->sim->dt_before;
     if (!sim_take_over(next->sim, before->sim, fault)) return next;
     core_free(next);
     return NULL;

@@ -103,6 +103,7 @@ typedef struct Sim {
     Vec impulse;       /* [kg m/s] given by body forces and walls so far */
     Vec outside;       /* [kg m/s] by body forces and tractions alone, if setup->reactions */
     double dx;         /* 1/cells [m] */
+    double dt_before;  /* [s] of the step before; 0: none */
     int surface;       /* surface particles, if the method has any */
     long fallbacks;    /* nodes that fell back from their method's own rule, summed over steps */
     struct Skin *skin; /* the surface under traction, or NULL */

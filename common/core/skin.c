@@ -127,9 +127,9 @@ static size_t massive_node(const Sim *sim, const int index[DIM])
 {
     const Grid *g = &sim->g;
     int row = 0;
-    for (int d = DIM - 1; d >= 0; d--) {
+    for (int d = DIM - 1; d > 0; d--) {
         if (index[d] < 0 || index[d] >= g->n[d]) return NOWHERE;
-        if (d > 0) row = row * g->n[d] + index[d];
+        row = row * g->n[d] + index[d];
     }
     if (index[0] < g->lo[row] || index[0] >= g->hi[row]) return NOWHERE;
     const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)index[0];

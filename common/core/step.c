@@ -121,7 +121,9 @@ static void impose_motion(Sim *sim, double t)
 static Status take_passes(Sim *sim, double t, double dt, bool first)
 {
     const Setup *s = sim->setup;
-    const double scale = first && integrators[s->integrator].half_first ? 0.5 : 1;
+    const double before = first ? 0 : sim->dt_before > 0 ? sim->dt_before : dt;
+    const double scale = integrators[s->integrator].half_first ? 0.5 * (before + dt) / dt : 1;
+    sim->dt_before = dt;
     for (int k = 0; k < 2 && integrators[s->integrator].pass[k].used; k++) {
         const Pass *pass = &integrators[s->integrator].pass[k];
         const bool filter = sim->method.filter && (pass->force || !sim->method.filter_first);

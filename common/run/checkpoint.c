@@ -9,6 +9,8 @@
 static void stash_numbers(Loop *l, Stash *s)
 {
     STASH(s, l->dt);
+    STASH(s, l->dt_before);
+    STASH(s, l->t);
     STASH(s, l->n);
     STASH(s, l->done);
     STASH(s, l->cpu);
@@ -28,6 +30,7 @@ static void stash_numbers(Loop *l, Stash *s)
     STASH(s, l->drift);
     STASH(s, l->momentum);
     STASH(s, l->growth_step);
+    STASH(s, l->growth_t);
     STASH(s, l->fastest);
     STASH(s, l->speed);
     STASH(s, l->earlier);

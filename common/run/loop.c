@@ -79,11 +79,21 @@ static bool is_growth(Loop *l, const Moment *m, double open)
     return own.kinetic + m->strain - m->work - l->base - own.open > 0.05 * l->most + l->noise;
 }
 
+/* Time over which the accelerations of this step act: from the middle of the step before, where the
+ * integrator takes a half first step. */
+static double loop_kick(const Loop *l)
+{
+    if (!step_half_first(l->plan->setup.integrator)) return l->dt;
+    if (l->instants == 1) return 0.5 * l->dt;
+    return l->dt_before > 0 ? 0.5 * (l->dt_before + l->dt) : l->dt;
+}
+
 /* Remembers the step, and the fastest point, which the row's reason names. */
 static void note_growth(Loop *l)
 {
     const Points p = points_of(l);
     l->growth_step = l->done;
+    l->growth_t = l->plan->adaptive ? l->t : (double)l->done * l->dt;
     l->fastest = ledger_fastest_point(&p, &l->speed);
 }
 
@@ -93,9 +103,8 @@ void loop_record_energy(Loop *l, Moment *m, const Side *before, const Side *afte
     m->work = l->work;
     l->now = stored - m->work;
     if (l->history) {
-        const bool half = l->instants == 0 && step_half_first(l->plan->setup.integrator);
-        reactions_measure(&l->reactions, &l->plan->scene, l->plan->solver, l->self,
-                          half ? 0.5 * l->dt : l->dt, m->wall);
+        reactions_measure(&l->reactions, &l->plan->scene, l->plan->solver, l->self, loop_kick(l),
+                          m->wall);
     }
     if (l->instants++ == 0) l->start = l->now;
     l->largest = larger(l->largest, stored);

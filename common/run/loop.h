@@ -38,7 +38,10 @@ typedef struct Loop {
     Snapshots shots; /* dir NULL: none are asked for */
     int code;        /* 0, or what went wrong with an output */
     Fault *fault;
-    double dt;
+    double dt;                  /* [s] of this step, */
+    double dt_before;           /*   of the one before, 0: none; */
+    double t;                   /*   its start */
+    double unit_dt;             /* [s] h/c, or what the solver has instead */
     long n, done;               /* steps planned and finished */
     double cpu, wall;           /* [s] inside the solver's step */
     Errors worst;               /* running maxima */
@@ -53,6 +56,7 @@ typedef struct Loop {
     double drift, momentum; /* largest |p - p0 - impulse|, largest sum m |v| */
     Status status;
     double failed_at; /* [s] */
+    double growth_t;  /* [s] of the */
     long growth_step; /* first step with too much energy, or -1 */
     int fastest;      /* point then, and its speed [m/s] */
     double speed;

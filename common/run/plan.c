@@ -188,6 +188,12 @@ static int choose_times(RunSpec *spec, Plan *plan, Fault *fault)
 {
     const Problem *problem = plan->scene.problem;
     if (problem->projection) {
+        if (plan->adaptive)
+            return fault_set(
+                fault, FAULT_USAGE,
+                "--set dt: got 'adaptive', takes a scene in motion, and %s has no time "
+                "steps",
+                spec->problem);
         plan->cfl = plan->t_end = 0;
         spec->cfl = spec->t_end = 0;
         return 0;
@@ -297,6 +303,7 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     s->reactions = spec->history != NULL;
     s->snapshot_nodes = plan->scene.problem->projection || spec->nodes || spec->vtk;
     plan->steps = (long)run[P_STEPS];
+    plan->adaptive = run[P_DT] > 0;
     plan->stop_growth = run[P_STOP] > 0;
     Handover handover;
     if (choose_ppc(spec, plan, run, fault) || choose_times(spec, plan, fault) ||

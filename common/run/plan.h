@@ -16,6 +16,7 @@ typedef struct Plan {
     double problem_par[MAX_PARAMS], method_par[MAX_PARAMS];
     double cfl, t_end;
     long steps;       /* stop after so many; 0: no limit */
+    bool adaptive;    /* the step is chosen anew every time, W11 eq 34 */
     bool stop_growth; /* energy growth ends the run */
     char params[512]; /* "name=value;..." sorted */
 } Plan;

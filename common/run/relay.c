@@ -14,7 +14,7 @@ bool relay_is_due(const Loop *l)
 {
     const Handover *h = &l->handover;
     if (l->taken_over >= 0) return false;
-    if (h->at == AT_TIME) return (double)l->done * l->dt >= h->value * (1 - 1e-12);
+    if (h->at == AT_TIME) return l->t >= h->value * (1 - 1e-12);
     return h->at == AT_J && volumes_now(l).least < h->value;
 }
 

@@ -13,15 +13,15 @@ static void say_status(const Loop *l, Row *row)
     if (grew)
         snprintf(row->reason, sizeof row->reason,
                  "step %ld t=%.6g energy 5 %% above its start; fastest %s %d v=%.6g",
-                 l->growth_step, (double)l->growth_step * l->dt,
-                 l->plan->setup.method ? "particle" : "node", l->fastest, l->speed);
+                 l->growth_step, l->growth_t, l->plan->setup.method ? "particle" : "node",
+                 l->fastest, l->speed);
     else if (l->status.code == EMPTY)
         strcpy(row->reason, l->status.point < 0
                                 ? "no particle lies inside the body"
                                 : "no node with mass lies where errors are measured");
     else if (l->status.code == INTERRUPTED)
-        snprintf(row->reason, sizeof row->reason, "step %ld of %ld t=%.6g", l->done, l->n,
-                 (double)l->done * l->dt);
+        snprintf(row->reason, sizeof row->reason, "step %ld t=%.6g of %.6g", l->done, l->t,
+                 l->plan->t_end);
     else if (l->status.code == SINGULAR)
         snprintf(row->reason, sizeof row->reason,
                  "step %ld t=%.6g particle %d and all others: no node under them has mass",
@@ -96,7 +96,7 @@ void report_results(const Loop *l, Row *row)
     say_status(l, row);
     if (l->handover.at != AT_NEVER) say_handover(l, row);
     if (problem->projection) return;
-    row->dt = l->dt;
+    row->dt = l->plan->adaptive && l->done > 0 ? l->t / (double)l->done : l->dt;
     if (l->instants > 1) row->energy_drift = (l->now - l->start) / l->largest;
     row->momentum_drift = l->momentum > 0 ? l->drift / l->momentum : NAN;
     if (l->done > 0) row->ns_per_particle_step = 1e9 * l->cpu / (row->particles * row->steps);

@@ -39,11 +39,53 @@ static void take_step(Loop *l, double t)
     l->wall += seconds(CLOCK_MONOTONIC) - wall;
 }
 
+/* W11 eq 34: the longest step now, not below a thousandth of the first one, which a run that blows
+ * up would soon reach. */
+static double longest_step(const Loop *l)
+{
+    Points p;
+    Samples q;
+    double speed;
+    const Plan *plan = l->plan;
+    const double c = material_wave_speed_bound(&plan->scene.mat),
+                 length = l->unit_dt * plan->scene.c;
+    plan->solver->view(l->self, &p, &q);
+    ledger_fastest_point(&p, &speed);
+    return plan->cfl * length / (c + fmin(fmax(speed, 0), 999 * c));
+}
+
+/* The next step; the last two share what is left, so that t_end is met exactly. */
+static void adapt_dt(Loop *l)
+{
+    const double left = l->plan->t_end - l->t, longest = longest_step(l);
+    l->dt_before = l->done > 0 ? l->dt : 0;
+    l->dt = left <= 0 ? longest : left <= longest ? left : fmin(longest, 0.5 * left);
+}
+
+static bool is_over(const Loop *l)
+{
+    if (!l->plan->adaptive) return l->done >= l->n;
+    return l->t >= l->plan->t_end || (l->plan->steps > 0 && l->done >= l->plan->steps);
+}
+
+/* End of this step; the last one ends at t_end in every bit. */
+static double end_of_step(const Loop *l)
+{
+    if (!l->plan->adaptive) return (double)(l->done + 1) * l->dt;
+    return l->dt >= l->plan->t_end - l->t ? l->plan->t_end : l->t + l->dt;
+}
+
+/* Share of the second of two half steps in the instant between them. */
+static double share_after(const Loop *l)
+{
+    return l->dt_before > 0 ? l->dt_before / (l->dt_before + l->dt) : 0.5;
+}
+
 static void shoot(Loop *l, long step, bool last)
 {
     if (l->shots.dir && !l->code)
         l->code = snapshot_take(&l->shots, &l->plan->scene, l->plan->solver, l->self, step,
-                                (double)step * l->dt, last, l->fault);
+                                step > l->done ? end_of_step(l) : l->t, last, l->fault);
 }
 
 static bool grown(const Loop *l)
@@ -53,7 +95,7 @@ static bool grown(const Loop *l)
 
 static bool stopped(const Loop *l)
 {
-    return l->stop && *l->stop && l->done < l->n && !grown(l);
+    return l->stop && *l->stop && !is_over(l) && !grown(l);
 }
 
 /* Instant 0; or, of a run that resumes, the one that it has reached. */
@@ -75,16 +117,24 @@ static void begin(Loop *l, Moment *m, Side *before)
         l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
 }
 
+/* Kinetic energy and momentum between two half steps, with the share w of the second. */
+static void centre(Moment *m, const Side *before, const Side *after, double w)
+{
+    m->kinetic = (1 - w) * before->kinetic + w * after->kinetic;
+    for (int d = 0; d < DIM; d++) m->momentum[d] = (1 - w) * before->p[d] + w * after->p[d];
+}
+
 /* Instants 0 .. n. The kinetic energy of instant k is known after step k. */
 static void run_steps(Loop *l)
 {
     Side before;
     Moment m;
     begin(l, &m, &before);
-    for (; l->done < l->n && !grown(l) && !l->code && !stopped(l); l->done++) {
-        const double t = (double)l->done * l->dt;
+    for (; !is_over(l) && !grown(l) && !l->code && !stopped(l); l->done++) {
+        const double t = l->t;
         checkpoint_write(l, &m, &before, false);
         if (relay_is_due(l) && !relay_take_over(l, &before)) return;
+        if (l->plan->adaptive) adapt_dt(l);
         relay_before_step(l);
         take_step(l, t);
         if (relay_rescues(l, &before)) take_step(l, t);
@@ -93,11 +143,11 @@ static void run_steps(Loop *l)
             return;
         }
         const Side after = loop_measure_side(l);
-        const double w = l->done > 0 ? 0.5 : 0; /* the first instant is not between two halves */
         if (l->done == 0) loop_record_start(l, &before, &after, m.strain);
         m.t = t;
-        m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
-        for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
+        m.dt = l->dt;
+        /* the first instant is not between two halves */
+        centre(&m, &before, &after, l->done > 0 ? share_after(l) : 0);
         loop_record_energy(l, &m, &before, &after);
         loop_record_momentum(l, &after);
         loop_record_work(l, t);
@@ -107,9 +157,10 @@ static void run_steps(Loop *l)
         loop_measure_state(l, &m);
         before = after;
         shoot(l, l->done + 1, false);
+        l->t = end_of_step(l);
     }
     if (stopped(l)) checkpoint_write(l, &m, &before, true);
-    m.t = (double)l->done * l->dt; /* the last instant waits for last_instant */
+    m.t = l->t; /* the last instant waits for last_instant */
     l->last = m;
 }
 
@@ -118,12 +169,12 @@ static void last_instant(Loop *l)
 {
     Moment m = l->last;
     const Side before = loop_measure_side(l);
+    if (l->plan->adaptive) adapt_dt(l);
     const Status status =
         l->done > 0 ? l->plan->solver->step(l->self, m.t, l->dt, false) : (Status){EMPTY, -1, 0};
-    const double w = status.code == OK ? 0.5 : 0;
+    const double w = status.code == OK ? share_after(l) : 0;
     const Side after = status.code == OK ? loop_measure_side(l) : before;
-    m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
-    for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
+    centre(&m, &before, &after, w);
     loop_record_energy(l, &m, &before, &after);
 }
 
@@ -133,6 +184,7 @@ static void choose_dt(Loop *l)
     const double unit =
         plan->solver->unit_dt ? plan->solver->unit_dt(l->self) : plan->scene.cell / plan->scene.c;
     const double n = fmax(ceil(plan->t_end / (plan->cfl * unit) - 1e-9), 1);
+    l->unit_dt = unit;
     l->dt = plan->t_end / n;
     l->n = plan->steps > 0 && (double)plan->steps < n ? plan->steps : (long)n;
 }
@@ -165,7 +217,8 @@ static int write_errors_now(const char *path, Loop *l, Fault *fault)
 {
     Points p;
     Samples q;
-    const double t = (double)steps_moved(l) * l->dt;
+    const double t = l->plan->adaptive ? l->t + (steps_moved(l) > l->done ? l->dt : 0)
+                                       : (double)steps_moved(l) * l->dt;
     l->plan->solver->view(l->self, &p, &q);
     return output_errors(path, &l->plan->scene, &p, t, &l->scratch, fault);
 }

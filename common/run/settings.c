@@ -36,6 +36,11 @@ static const Param run_params[] = {
                  "weights at the particles; or at their reference positions, for the whole run, "
                  "with stress P and gradients in X (tlmpm's default)",
                  "de Vaucorbeil et al. 2020", "current|total"},
+    [P_DT] =
+        {"dt", 0, 0, 1, "",
+         "one step CFL h/c for the whole run, or CFL h/(v_max + max |v_p|) anew for every step, "
+         "v_max of eq 33",
+         "W11 eqs 33, 34", "constant|adaptive"},
     [RUN_PARAMS] = {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 const Param *const settings_common = run_params;
@@ -92,7 +97,7 @@ bool settings_act_on_method(int k, const Method *m)
 {
     const unsigned all = (1u << INTEGRATORS) - 1;
     double par[MAX_PARAMS] = {0};
-    if (k == P_STEPS || k == P_STOP || k == P_REPEAT || k == P_DIM) return true;
+    if (k == P_STEPS || k == P_STOP || k == P_REPEAT || k == P_DIM || k == P_DT) return true;
     if (!m) return false; /* a mesh */
     for (const Param *p = m->info.params; p && p->name; p++) par[p - m->info.params] = p->value;
     if (k == P_PARTICLES) return DIM == 1;

@@ -19,6 +19,7 @@ enum {
     P_STRAIN,
     P_SUBCYCLES,
     P_FRAME,
+    P_DT,
     RUN_PARAMS
 };
 

@@ -12,17 +12,20 @@ enum { MESHES = 4, BAR_MESHES = 3 };
 /* N = 64 is for the methods whose order is judged. */
 static int meshes_of(const char *method)
 {
-    return strcmp(method, "wls2") == 0 || strcmp(method, "fem") == 0 ? MESHES : MESHES - 1;
+    static const char *const judged[] = {"wls2", "fem"};
+    for (int k = 0; k < 2; k++)
+        if (strcmp(method, judged[k]) == 0) return MESHES;
+    return MESHES - 1;
 }
 
 static void cases(Cases *list, bool quick)
 {
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         const char *method = (*m)->name;
-        for (int k = 0; k < (quick ? 1 : meshes_of(method)); k++) {
-            case_add(list, "run ring --method %s --cells %d", method, cells[k]);
-            case_add(list, "run ring --method %s --cells %d --set traction=1", method, cells[k]);
-        }
+        for (int traction = 0; traction < 2; traction++)
+            for (int k = 0; k < (quick ? 1 : meshes_of(method)); k++)
+                case_add(list, "run ring --method %s --cells %d --set traction=%d", method,
+                         cells[k], traction);
     }
     for (const Info *const *m = engine_1d.methods; *m; m++)
         for (int k = 0; k < (quick ? 1 : BAR_MESHES); k++)
