@@ -39,8 +39,10 @@ double wls_whole_force(const Grid *g, size_t at, int a)
     return f;
 }
 
-/* The factors of a row, with boundary conditions: a0, v. */
-static void start_row(Sim *sim, int row)
+/* The factors of a row, with boundary conditions: a0, v. A unilateral wall decides by the momentum
+ * and force of the equations of motion before any correction: a component that it stops has a0 =
+ * -v/dt. */
+static void start_row(Sim *sim, int row, double dt)
 {
     const Grid *g = &sim->g;
     Wls *w = wls_of(sim);
@@ -48,18 +50,25 @@ static void start_row(Sim *sim, int row)
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
         const unsigned held = wls_held(g, row, i);
         const double mass = g->node[at][0];
+        const Line v = w->fit[at][FIT_VALUE];
+        for (int a = 0; a < DIM; a++) g->node[at][1 + a] = mass * v[Q_V + a];
+        const unsigned stops = g->nstop ? sim_stops(g, row, i, dt) & ~held : 0;
+        w->stops[at] = (unsigned char)stops;
         w->inertia[at] = (Inertia){{0}, {0}, {0}};
         for (int a = 0; a < DIM && w->corrected && mass > sim->mass_cut; a++)
-            if (!(held >> a & 1)) w->inertia[at].factor[I_A + a] = wls_whole_force(g, at, a) / mass;
-        if (w->sharpened) wls_velocity_start(sim, at, row, i, held);
+            if (!(held >> a & 1))
+                w->inertia[at].factor[I_A + a] =
+                    stops >> a & 1 ? -v[Q_V + a] / dt : wls_whole_force(g, at, a) / mass;
+        if (w->sharpened) wls_velocity_start(sim, at, row, i, held | stops);
     }
 }
 
 /* v; and a, that as internal force, from which the nodes' equations take it; with what that means
  * for the momentum ledger. The change of all nodes together, sum_i (D a0 - M a0)_i, is nothing,
- * since the rows of M add up to D. A held component takes no part: a0 = 0 there, and of its share
- * -(M a0)_i the wall keeps the body. So the wall's impulse is that of the integrated force and
- * dt (M a0)_i, and what the other nodes gain, they gain from each other. */
+ * since the rows of M add up to D. A component that a wall holds or stops takes no part: its a0 is
+ * given, 0 if held, and of its share (D a0 - M a0)_i the wall keeps the body. So the wall's impulse
+ * is that of the integrated force and dt (M a0 - D a0)_i, and what the other nodes gain, they gain
+ * from each other. */
 static void finish_row(Sim *sim, int row, double dt)
 {
     Grid *g = &sim->g;
@@ -69,16 +78,19 @@ static void finish_row(Sim *sim, int row, double dt)
         const Inertia in = w->inertia[at];
         const Line before = g->node[at];
         if (!(in.row[I_SUM] > 0)) continue;
-        const unsigned held = wls_held(g, row, i);
+        const unsigned stops = w->stops[at], held = wls_held(g, row, i) | stops;
         for (int a = 0; a < DIM; a++)
-            if (held >> a & 1) g->impulse[row][a] += dt * in.product[I_A + a];
+            if (held >> a & 1)
+                g->impulse[row][a] +=
+                    dt * (in.product[I_A + a] - in.row[I_SUM] * in.factor[I_A + a]);
         if (!wls_is_sound(sim, at)) continue;
         if (w->sharpened) wls_velocity_finish(sim, at, row, i, held);
         for (int a = 0; a < DIM && w->corrected; a++) {
-            const double acc =
-                held >> a & 1 ? 0 : 2 * in.factor[I_A + a] - in.product[I_A + a] / in.row[I_SUM];
+            const double acc = held >> a & 1
+                                   ? in.factor[I_A + a]
+                                   : 2 * in.factor[I_A + a] - in.product[I_A + a] / in.row[I_SUM];
             const double outer = g->force ? g->force[at * DIM + (size_t)a] : 0;
-            g->node[at][FLUX + a] = g->node[at][0] * acc - outer;
+            if (!(stops >> a & 1)) g->node[at][FLUX + a] = g->node[at][0] * acc - outer;
             w->inertia[at].product[I_A + a] = acc;
         }
         wls_book_change(sim, row, at, dt, before, held);
@@ -90,7 +102,7 @@ void wls_correct(Sim *sim, double dt)
     const Grid *g = &sim->g;
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row]) start_row(sim, row);
+        if (g->lo[row] < g->hi[row]) start_row(sim, row, dt);
     if (wls_of(sim)->folded) wls_spread(sim, dt);
     wls_mass_times(sim);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)

@@ -117,9 +117,8 @@ static void repair_node(Sim *sim, size_t at, int row, const int index[DIM], doub
     if (w->lagged && (*node)[0] > sim->mass_cut) wls_hold_back(sim, at, index, dt, v);
     for (int a = 0; a < DIM; a++) (*node)[1 + a] = (*node)[0] * v[a];
     if (repaired) {
-        /* a stopping wall bears the integrated force, unless that went to the neighbours; a node
-         * without mass gives none away */
-        const unsigned stops = w->folded && !light ? 0 : sim_stops(&sim->g, row, index[0], dt);
+        /* a wall, be it one that holds or one that stops, bears the integrated force */
+        const unsigned stops = sim_stops(&sim->g, row, index[0], dt);
         wls_book_change(sim, row, at, dt, before, wls_held(&sim->g, row, index[0]) | stops);
     }
 }

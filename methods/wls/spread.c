@@ -13,7 +13,7 @@
 static bool gives(const Sim *sim, size_t at, const int index[DIM])
 {
     const Grid *g = &sim->g;
-    unsigned held = 0;
+    unsigned held = wls_of(sim)->stops[at];
     for (int d = 0; d < DIM; d++) held |= g->hold[d][index[d]];
     return !wls_of(sim)->good[at] && g->node[at][0] > sim->mass_cut && !held;
 }
@@ -89,7 +89,7 @@ static void take_row(Sim *sim, int row, double dt)
         int index[DIM], next[DIM];
         double sign[DIM];
         if (!wls_is_sound(sim, at) || wls_all_good(sim, row, i)) continue;
-        const unsigned held = wls_held(g, row, i);
+        const unsigned held = wls_held(g, row, i) | w->stops[at];
         wls_index_of(g, row, i, index);
         for (int k = 0; k < NEIGHBOURS; k++) {
             wls_neighbour(index, k, next);

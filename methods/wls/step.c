@@ -41,6 +41,7 @@ bool wls_make(Sim *sim)
     if (w->corrected || w->sharpened) {
         w->inertia = nodes_of(n, sizeof *w->inertia);
         w->cell_mass = nodes_of(n, sizeof *w->cell_mass);
+        w->stops = nodes_of(n, 1);
     }
     if (w->distance_by == DISTANCE_CURVED) w->bend = nodes_of(n, sizeof *w->bend);
     w->most = nodes_of(n, sizeof *w->most);
@@ -48,7 +49,7 @@ bool wls_make(Sim *sim)
     w->good = nodes_of(n, 1);
     w->fallbacks = calloc((size_t)g->rows, sizeof *w->fallbacks);
     return w->fit && w->skin && w->skinned && w->most && w->distance && w->good && w->fallbacks &&
-           ((w->inertia && w->cell_mass) || !(w->corrected || w->sharpened)) &&
+           ((w->inertia && w->cell_mass && w->stops) || !(w->corrected || w->sharpened)) &&
            (w->bend || w->distance_by != DISTANCE_CURVED);
 }
 
@@ -56,7 +57,7 @@ void wls_free(Sim *sim)
 {
     Wls *w = wls_of(sim);
     free(w->fit), free(w->skin), free(w->inertia), free(w->most), free(w->distance), free(w->good);
-    free(w->cell_mass), free(w->skinned), free(w->bend), free(w->fallbacks);
+    free(w->cell_mass), free(w->stops), free(w->skinned), free(w->bend), free(w->fallbacks);
     free(w);
 }
 

@@ -114,19 +114,20 @@ typedef struct Wls {
     int distance_by;
     double hermite; /* g^2: weight of gradients in the fit of v */
     double trigger;
-    double inside;       /* nodes with more beta are inside, eq 14 */
-    double surface_beta; /* beta of a surface point: 1, less where they are denser */
-    Line (*fit)[FIT];    /* [nodes] */
-    Line (*skin)[2];     /* [nodes] sums over surface points, 0 but where `skinned` */
-    bool *skinned;       /* [nodes] */
-    Bend *bend;          /* [nodes] or NULL: all surfaces are straight */
-    Inertia *inertia;    /* [nodes] of the corrections by the mass matrix, or NULL */
-    double *cell_mass;   /* [nodes] of the full cell above a node [kg], with it */
-    double *most;        /* [nodes] largest W of any particle */
-    double *distance;    /* [nodes] [cells] from the surface, > 0 inside */
-    unsigned char *good; /* [nodes] not 0: alpha of eqs 19-21; with SOUND: has mass, too */
-    bool body;           /* some node has mass */
-    long *fallbacks;     /* [rows] of this step */
+    double inside;        /* nodes with more beta are inside, eq 14 */
+    double surface_beta;  /* beta of a surface point: 1, less where they are denser */
+    Line (*fit)[FIT];     /* [nodes] */
+    Line (*skin)[2];      /* [nodes] sums over surface points, 0 but where `skinned` */
+    bool *skinned;        /* [nodes] */
+    Bend *bend;           /* [nodes] or NULL: all surfaces are straight */
+    Inertia *inertia;     /* [nodes] of the corrections by the mass matrix, or NULL */
+    double *cell_mass;    /* [nodes] of the full cell above a node [kg], with it */
+    double *most;         /* [nodes] largest W of any particle */
+    double *distance;     /* [nodes] [cells] from the surface, > 0 inside */
+    unsigned char *good;  /* [nodes] not 0: alpha of eqs 19-21; with SOUND: has mass, too */
+    unsigned char *stops; /* [nodes] components that a unilateral wall stops now, with it */
+    bool body;            /* some node has mass */
+    long *fallbacks;      /* [rows] of this step */
 } Wls;
 
 static inline Wls *wls_of(const Sim *sim)

@@ -152,9 +152,11 @@ static const struct {
     {{2, "axis_mms", 8, 4, 0, NULL}, 1.5e-2, 1.3e-2, 1.3e-2},
     {{2, "ring", 8, 4, 0, NULL}, 3.5e-3, 1.7e-3, 7.9e-4},
     {{2, "disk_impact", 12, 4, 0, NULL}, 2e-2, 2.8e-2, 3e-2},
+    {{2, "disk_impact", 12, 4, 0, "wall=unilateral"}, 0.062, 0.18, 0.14},
     {{2, "free_block", 12, 4, 0, NULL}, 1e-3, 1.45e-3, 9.6e-4},
     {{3, "shell", 8, 8, 0, NULL}, 7.3e-3, 6e-3, 4.6e-3},
     {{3, "axis_mms", 6, 8, 0, "dim=3"}, 8.7e-3, 2.2e-2, 2.2e-2},
+    {{3, "ball_impact", 8, 8, 0, "wall=unilateral"}, 0.051, 0.063, 0.059},
 };
 
 static void test_wls_momentum(void)
