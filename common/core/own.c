@@ -62,3 +62,21 @@ void sim_start_own(Sim *sim)
     }
     sim->half_now = fmin(most, sim->half_max);
 }
+
+int sim_own_count(const Method *method)
+{
+    int n = 0;
+    while (method->own && method->own[n]) n++;
+    return n;
+}
+
+void sim_refer_gradient(Particles *p)
+{
+    double *const *L = p->field + AT_L, *const *F = p->field + AT_F;
+    for (int s = 0; s < p->n; s++)
+        for (int a = 0; a < DIM; a++) {
+            double row[DIM] = {0};
+            for (int k = 0; k < NMAT; k++) row[k % DIM] += L[a * DIM + k / DIM][s] * F[k][s];
+            for (int b = 0; b < DIM; b++) L[a * DIM + b][s] = row[b];
+        }
+}

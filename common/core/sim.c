@@ -15,16 +15,9 @@ static double widest_half(double half, bool list)
     return list ? most : fmin(fmax(1.5, 4 * half), most);
 }
 
-static int own_count(const Method *method)
-{
-    int n = 0;
-    while (method->own && method->own[n]) n++;
-    return n;
-}
-
 static bool field_used(const Sim *sim, int field)
 {
-    if (field >= AT_OWN) return field - AT_OWN < own_count(&sim->method);
+    if (field >= AT_OWN) return field - AT_OWN < sim_own_count(&sim->method);
     if (field >= AT_N) return sim->method.surface;
     if (field >= AT_W) return sim->method.filter;
     if (field >= AT_U) return sim->setup->integrator == MUSL;
@@ -187,18 +180,6 @@ static void fill_particles(Sim *sim, const Layout *layout)
     sim->mass_body = ON_NODE * mean;
 }
 
-/* dv/dx becomes dv/dX = dv/dx F. */
-static void refer_gradient(Particles *p)
-{
-    double *const *L = p->field + AT_L, *const *F = p->field + AT_F;
-    for (int s = 0; s < p->n; s++)
-        for (int a = 0; a < DIM; a++) {
-            double row[DIM] = {0};
-            for (int k = 0; k < NMAT; k++) row[k % DIM] += L[a * DIM + k / DIM][s] * F[k][s];
-            for (int b = 0; b < DIM; b++) L[a * DIM + b][s] = row[b];
-        }
-}
-
 /* Initial state: x = X + u, and v, F, L as the scene says. */
 static bool start_particles(Sim *sim)
 {
@@ -218,7 +199,7 @@ static bool start_particles(Sim *sim)
                               p->field + AT_X, p->field + AT_V, p->field + AT_F, l);
     for (int d = 0; d < DIM; d++)
         for (int s = 0; s < p->n; s++) p->field[AT_X + d][s] += p->field[AT_X0 + d][s];
-    if (sim->total && p->field[AT_L]) refer_gradient(p);
+    if (sim->total && p->field[AT_L]) sim_refer_gradient(p);
     free(L);
     return true;
 }

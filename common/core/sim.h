@@ -121,6 +121,10 @@ bool sim_is_valid(const Sim *sim);
 
 /* Fills the method's own fields from x and F, and finds the widest half width. */
 void sim_start_own(Sim *sim);
+int sim_own_count(const Method *method);
+
+/* L: dv/dx becomes dv/dX = dv/dx F. */
+void sim_refer_gradient(Particles *p);
 
 /* The grid as general weights see it; and a chunk in the frame of the weights: in the total one at
  * its reference positions, undeformed. */

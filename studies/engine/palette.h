@@ -8,7 +8,8 @@ void palette_colour(int k, char out[8]);
 int palette_marker(int k);
 
 /* For gnuplot: words that describe all methods of this program in the order of their registry,
- * METHODS='mpm gimp'; LABELS='...'; COLOURS='...'; MARKERS='...'; to be freed. */
+ * those on request apart and last: METHODS='mpm gimp'; REQUESTED='cpdi'; LABELS='...';
+ * COLOURS='...'; MARKERS='...'; to be freed. */
 char *palette_settings(void);
 
 #endif
