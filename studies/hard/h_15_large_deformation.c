@@ -36,17 +36,10 @@ static void vortex_add(Cases *list, const char *method, int rule, int cells, dou
              method, cells, G, particles ? " --set layout=radial" : "", rules[rule]);
 }
 
-static char *part_name(char part[64], const char *method, int rule)
-{
-    snprintf(part, 64, "bar.%s.%s", method, rules[rule]);
-    return part;
-}
-
 static void bar_add(Cases *list, const char *method, int rule)
 {
-    char part[64];
     case_add(list, "run hanging_bar --method %s --cfl .1 --set domain=%s", method, rules[rule]);
-    case_add_with(list, "particles", part_name(part, method, rule),
+    case_add_with(list, "particles", phrase("bar.%s.%s", method, rules[rule]),
                   "run hanging_bar --method %s --cfl .1 --t-end %g --set domain=%s", method,
                   bar_end, rules[rule]);
 }
@@ -75,11 +68,10 @@ static int rule_of(const Table *rows, int row)
 /* How many times as long the bar is: mean over the points of its lowest layer. NAN: no file. */
 static double stretch_of(const Results *r, const char *method, int rule)
 {
-    char part[64];
-    Table *t = results_file(r, part_name(part, method, rule));
+    const Table *t = results_run(r, "bar.%s.%s", method, rules[rule]);
     double lowest = INFINITY, total = 0;
     int n = 0;
-    for (int pass = 0; t && pass < 2; pass++)
+    for (int pass = 0; pass < 2; pass++)
         for (int k = 0; k < t->nrow; k++) {
             const double Y = select_number(t, k, "Y");
             if (!(select_number(t, k, "mass") > 0)) continue;
@@ -88,7 +80,6 @@ static double stretch_of(const Results *r, const char *method, int rule)
             total += (bar_top - select_number(t, k, "y")) / (bar_top - Y);
             n++;
         }
-    table_free(t);
     return n ? total / n : NAN;
 }
 

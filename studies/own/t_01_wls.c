@@ -73,12 +73,10 @@ static void cases(Cases *list, bool quick)
         }
     }
     for (int m = 0; m < METHODS; m++)
-        for (int k = 0; k < (quick ? 2 : CUT_MESHES); k++) {
-            char part[64];
-            snprintf(part, sizeof part, "%s.%d", cut_methods[m], cut_cells[k]);
-            case_add_with(list, "patches", part, "run ring --method %s --cells %d --set steps=1",
-                          cut_methods[m], cut_cells[k]);
-        }
+        for (int k = 0; k < (quick ? 2 : CUT_MESHES); k++)
+            case_add_with(list, "patches", phrase("%s.%d", cut_methods[m], cut_cells[k]),
+                          "run ring --method %s --cells %d --set steps=1", cut_methods[m],
+                          cut_cells[k]);
 }
 
 /* Largest distance [m] of any cut point of a file of patches from the ring's radii at the start;
@@ -105,11 +103,10 @@ static double cut_error(char *path, int n)
 
 static void tables(const Results *r)
 {
-    char part[64];
     FILE *f = results_write(r, "cuts", "method,cells,error,status");
     for (int m = 0; m < METHODS; m++)
         for (int k = 0; k < (r->quick ? 2 : CUT_MESHES); k++) {
-            snprintf(part, sizeof part, "%s.%d", cut_methods[m], cut_cells[k]);
+            const char *part = phrase("%s.%d", cut_methods[m], cut_cells[k]);
             fprintf(f, "%s,%d,%.17g,%s\n", cut_methods[m], cut_cells[k],
                     cut_error(results_path(r, part), cut_cells[k]), results_status(r, part));
         }

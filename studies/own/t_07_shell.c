@@ -89,14 +89,12 @@ static void check_known(Check *c, const Table *t)
         {"fem", "elements", "FEM, body force integrated", {0.00466, 0.00133, 0.00038}, 0.05}};
     for (size_t m = 0; m < sizeof known / sizeof *known; m++)
         for (int k = 0; k < 3 && known[m].error[k] > 0; k++) {
-            char id[64], statement[128];
             const double e = known[m].error[k], by = known[m].within;
-            snprintf(id, sizeof id, "T-7.%s%s%s-%d", known[m].method, *known[m].body ? "-" : "",
-                     known[m].body, 8 << k);
-            snprintf(statement, sizeof statement, "%s: largest error on the shell at N = %d",
-                     known[m].label, 8 << k);
-            claim(c, id, statement, error_at(t, known[m].method, known[m].body, 8 << k),
-                  (1 - by) * e, (1 + by) * e);
+            claim(c,
+                  phrase("T-7.%s%s%s-%d", known[m].method, *known[m].body ? "-" : "", known[m].body,
+                         8 << k),
+                  phrase("%s: largest error on the shell at N = %d", known[m].label, 8 << k),
+                  error_at(t, known[m].method, known[m].body, 8 << k), (1 - by) * e, (1 + by) * e);
         }
 }
 
@@ -134,14 +132,12 @@ static void check(Check *c, const Results *r)
     claim(c, "T-7.mpm-order", "MPM does not converge on the shell",
           order(t, "mpm", "", 24, MESHES - 1), -1, 0.5);
     for (const Info *const *m = engine_3d.methods; *m; m++) {
-        char name[64];
         const char *method = (*m)->name;
         const char *body = engine_has_grid(&engine_3d, method) ? "" : "nodes";
         const int meshes = meshes_of(method);
-        snprintf(name, sizeof name, "ring_%s", method);
-        claim_note(c, name, ring_order(t, method).value);
-        snprintf(name, sizeof name, "shell_%s", method);
-        claim_note(c, name, order(t, method, body, cells[meshes - 1], meshes).value);
+        claim_note(c, phrase("ring_%s", method), ring_order(t, method).value);
+        claim_note(c, phrase("shell_%s", method),
+                   order(t, method, body, cells[meshes - 1], meshes).value);
     }
 }
 

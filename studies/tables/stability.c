@@ -157,9 +157,7 @@ static void write_safe(FILE *f, const Table *limits)
 
 static FILE *begin(const Results *r, const char *part, const char *columns)
 {
-    char header[256];
-    snprintf(header, sizeof header, "%s,%s", place_header, columns);
-    return results_write(r, part, header);
+    return results_write(r, part, phrase("%s,%s", place_header, columns));
 }
 
 void stability_tables(const Results *r)

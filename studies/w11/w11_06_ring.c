@@ -199,11 +199,9 @@ static void check(Check *c, const Results *r)
           order(r->rows, "mpm", "cartesian", 8, 128, MESHES), -1, 0);
     claim_note(c, "order_gimp_radial", order(r->rows, "gimp", "radial", 8, 128, MESHES).value);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
-        char name[64];
         const double lattice = order(r->rows, (*m)->name, "cartesian", 8, 128, MESHES).value;
         const double fitted = order(r->rows, (*m)->name, "radial", 8, 128, MESHES).value;
-        snprintf(name, sizeof name, "order_%s", (*m)->name);
-        claim_note(c, name, isnan(lattice) ? fitted : lattice);
+        claim_note(c, phrase("order_%s", (*m)->name), isnan(lattice) ? fitted : lattice);
     }
 }
 
