@@ -6,16 +6,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 #include "loop.h"
+#include "common/base/stopwatch.h"
 #include "common/base/table.h"
-
-static double seconds(clockid_t clock)
-{
-    struct timespec t;
-    clock_gettime(clock, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static Errors errors_now(Loop *l, double t)
 {
@@ -28,10 +21,10 @@ static Errors errors_now(Loop *l, double t)
 
 static void take_step(Loop *l, double t)
 {
-    const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+    const double cpu = stopwatch_cpu(), wall = stopwatch_wall();
     l->status = l->plan->solver->step(l->self, t, l->dt, l->done == 0);
-    l->cpu += seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
-    l->wall += seconds(CLOCK_MONOTONIC) - wall;
+    l->cpu += stopwatch_cpu() - cpu;
+    l->wall += stopwatch_wall() - wall;
 }
 
 static void shoot(Loop *l, long step, bool last)
@@ -110,10 +103,10 @@ static void choose_dt(Loop *l)
 static int project(Loop *l, Fault *fault)
 {
     Nodes nodes;
-    const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+    const double cpu = stopwatch_cpu(), wall = stopwatch_wall();
     l->status = l->plan->solver->project(l->self);
-    l->cpu = seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
-    l->wall = seconds(CLOCK_MONOTONIC) - wall;
+    l->cpu = stopwatch_cpu() - cpu;
+    l->wall = stopwatch_wall() - wall;
     if (l->status.code != OK) return 0;
     l->plan->solver->nodes(l->self, &nodes);
     if (!norm_scratch_fit(&l->scratch, nodes.n))

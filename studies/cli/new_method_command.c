@@ -1,7 +1,6 @@
 /* new_method_command.c: `new-method`: the starting file of a method and its line in the registry,
  * in the source tree that this program was built from. */
 #include <ctype.h>
-#include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -61,7 +60,7 @@ static char *read_all(const char *path, Fault *fault)
     char *text = NULL;
     size_t size = 0;
     if (!f || getdelim(&text, &size, '\0', f) < 0) {
-        fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
+        fault_machine(fault, path);
         free(text);
         text = NULL;
     }

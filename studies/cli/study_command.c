@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
-#include <time.h>
 #include <unistd.h>
 #include "studies/engine/claims.h"
+#include "common/base/stopwatch.h"
 #include "cli.h"
 #include "studies/runs/must.h"
 #include "studies/scoreboard/page.h"
@@ -144,20 +144,13 @@ static int publish(Check *check, bool judged, const char *dir, Fault *fault)
     return code;
 }
 
-static double seconds_now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* One line per study of `study all`, so that a log shows how far it is. */
 static void report_study(const Study *study, const StudyOptions *o, bool failed, double since)
 {
     if (o->action == STUDY_LIST) return;
     fprintf(stderr, "mpmlab: %s: %s", study->name, failed ? "failed" : "done");
     if (!o->methods) fprintf(stderr, ", %d cases", study_case_count(study, o->quick));
-    fprintf(stderr, ", %.1f s\n", seconds_now() - since);
+    fprintf(stderr, ", %.1f s\n", stopwatch_wall() - since);
 }
 
 /* Runs one study or all; the first fault is kept, but only an interruption ends the rest. */
@@ -168,7 +161,7 @@ static int run_studies(const StudyArgs *args, Fault *fault)
     for (const Study *const *s = studies; *s && code != FAULT_INTERRUPTED; s++) {
         Fault f = {0};
         const bool all = strcmp(args->name, "all") == 0;
-        const double start = seconds_now();
+        const double start = stopwatch_wall();
         if (!all && strcmp(args->name, (*s)->name) != 0) continue;
         int got = run_study(*s, &args->options, &f);
         if (all) report_study(*s, &args->options, got && got != PLOT_NO_GNUPLOT, start);

@@ -2,7 +2,6 @@
 #include "sidecar.h"
 
 #include <dirent.h>
-#include <errno.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
@@ -209,7 +208,7 @@ static int rename_part(const char *dir, const char *name, const char *to, const 
     char *from = must_text("%s/%s%s", dir, name, ending),
          *now = must_text("%s/%s%s", dir, to, ending);
     const int failed = rename(from, now) != 0;
-    if (failed) fault_set(fault, FAULT_MACHINE, "%s: %s", now, strerror(errno));
+    if (failed) fault_machine(fault, now);
     free(from);
     free(now);
     return failed ? FAULT_MACHINE : 0;

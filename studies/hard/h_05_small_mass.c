@@ -84,9 +84,9 @@ static void cases(Cases *list, bool quick)
 static bool window(const Ladder *l, int *low, int *high)
 {
     *high = l->n - 1;
-    while (*high >= 0 && l->grade[*high] != STABLE) *high -= 1;
+    while (*high >= 0 && l->grade[*high] != MARK_OK) *high -= 1;
     *low = *high;
-    while (*low > 0 && l->grade[*low - 1] == STABLE) *low -= 1;
+    while (*low > 0 && l->grade[*low - 1] == MARK_OK) *low -= 1;
     return *high >= 0;
 }
 

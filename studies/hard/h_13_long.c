@@ -90,8 +90,9 @@ static Long long_runs(const Table *rows, int scene, const Info *method, int vari
 
 static Mark mark_long(Long l)
 {
-    return l.lost || l.n == 0 ? MARK_LOST
-                              : grade_mark_of(measure_worse(l.gain, l.loss), 0.05, INFINITY);
+    return l.lost || l.n == 0
+               ? MARK_LOST
+               : grade_mark_of(measure_worse(l.gain, l.loss), ENGINE_GROWTH, INFINITY);
 }
 
 /* NAME.drift.csv: problem,method,variant,lost,gain,loss,runs,status. */
@@ -172,7 +173,7 @@ static void check(Check *c, const Results *r)
 {
     static const char smooth[] = "gimp ge_gimp bspline apic tpic xpic fmpm fem";
     const Table *t = results_part(r, "drift");
-    const double growth = 0.05; /* what the program calls growth */
+    const double growth = ENGINE_GROWTH;
     claim(c, "H-13.smooth",
           "Long runs: GIMP, GE-GIMP, B-splines, APIC, TPIC, XPIC, FMPM, FEM: most runs lost of any "
           "method and scene",

@@ -61,10 +61,10 @@ static void refine(Cases *list, const Table *rows, bool quick)
     const int n = ladder_read_all(rows, &ladders);
     for (const Ladder *l = ladders; l < ladders + n; l++) {
         int before = -1;
-        for (Grade worst = STABLE; worst < LOST; worst++) {
+        for (Mark worst = MARK_OK; worst < MARK_LOST; worst++) {
             int first;
             ladder_limit(l, worst, &first);
-            if (first >= 0 && !(worst > STABLE && first == before))
+            if (first >= 0 && !(worst > MARK_OK && first == before))
                 ladder_split(list, rows, l, first - 1, quick ? 0.4 : 0.05, lowest(rows, l->row[0]));
             before = first;
         }

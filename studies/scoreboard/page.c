@@ -2,7 +2,6 @@
  * replaced by what its part writes. The page stands by itself: nothing in it is loaded. */
 #include "page.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include "facts.h"
@@ -63,7 +62,7 @@ static FILE *open_template(Fault *fault)
 {
     char *plots = plot_folder(), *path = must_text("%s/page.html", plots ? plots : "plots");
     FILE *f = fopen(path, "r");
-    if (!f) fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
+    if (!f) fault_machine(fault, path);
     free(path);
     free(plots);
     return f;

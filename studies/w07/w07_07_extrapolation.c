@@ -52,6 +52,7 @@ static Measure momentum_error(const Results *r)
     int rows = 0;
     for (int k = 0; k < 2; k++) {
         const Table *t = results_run(r, "%s", parts[k]);
+        if (!t->nrow) return measure(NAN, 0, 1);
         for (int row = 0; row < t->nrow; row++, rows++)
             sum[k] += select_number(t, row, "mass") * select_number(t, row, "vx");
     }
