@@ -2,10 +2,7 @@
 #include "palette.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include "studies/runs/engines.h"
-#include "studies/runs/must.h"
 
 static const char *const colours[] = {"#D55E00", "#0072B2", "#E69F00", "#56B4E9", "#332288",
                                       "#882255", "#CC6677", "#44AA99", "#999933", "#009E73",
@@ -40,14 +37,12 @@ static void put_label(FILE *f, const char *label)
     }
 }
 
-char *palette_settings(void)
+void palette_put(FILE *f)
 {
     static const char *const lists[] = {"METHODS", "LABELS", "COLOURS", "MARKERS"};
     const char *names[64];
-    char *text = NULL, colour[8];
-    size_t size;
+    char colour[8];
     const int n = engine_method_names(names, 64);
-    FILE *f = must(open_memstream(&text, &size));
     for (int list = 0; list < 4; list++) {
         fprintf(f, "%s='", lists[list]);
         for (int k = 0; k < n; k++) {
@@ -60,6 +55,4 @@ char *palette_settings(void)
         }
         fputs("'; ", f);
     }
-    fclose(f);
-    return must(text);
 }

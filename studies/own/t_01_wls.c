@@ -119,33 +119,22 @@ static const char *setting(int run, int which)
 }
 
 /* The rows of a run: all settings as they are in it; not those that only draw cut cells. */
-static const char *where_is(int run, char out[256])
+static const char *where_is(int run)
 {
-    int n = snprintf(out, 256, "method=%s set.steps=0", runs[run].cures ? "wls2" : "wls");
-    for (int k = 0; k < SETTINGS; k++)
-        n += snprintf(out + n, 256 - (size_t)n, " %s=%s", names[k], setting(run, k));
-    return out;
+    const char *where = phrase("method=%s set.steps=0", runs[run].cures ? "wls2" : "wls");
+    for (int k = 0; k < SETTINGS; k++) where = phrase("%s %s=%s", where, names[k], setting(run, k));
+    return where;
 }
 
-static void pick(Curve *c, const Table *rows, const char *want, int run)
+static Measure error_at(const Table *rows, int run, int n)
 {
-    char where[256];
-    curve_pick(c, rows, "cells", want, "%s", where_is(run, where));
-}
-
-static Measure error_at(const Table *rows, int run, double n)
-{
-    Curve c;
-    pick(&c, rows, "error_linf", run);
-    return curve_at(&c, n);
+    return select_value(rows, "error_linf", "%s cells=%d", where_is(run), n);
 }
 
 /* Fitted order over the meshes from .. to, `meshes` of them. */
 static Measure order(const Table *rows, int run, double from, double to, int meshes)
 {
-    Curve c;
-    pick(&c, rows, "error_linf", run);
-    return measure_times(curve_order(&c, from, to, meshes), -1);
+    return curve_order_in_h(rows, "error_linf", from, to, meshes, "%s", where_is(run));
 }
 
 static void check_values(Check *c, const Table *rows)
@@ -155,10 +144,10 @@ static void check_values(Check *c, const Table *rows)
     static const double wls2[][3] = {
         {8, 6.60e-3, 1}, {16, 1.88e-3, 1}, {32, 5.31e-4, 1}, {64, 1.11e-4, 1}, {128, 2.79e-5, 1}};
     Curve curve;
-    pick(&curve, rows, "error_linf", WLS);
+    curve_pick(&curve, rows, "cells", "error_linf", "%s", where_is(WLS));
     claim(c, "T-1.wls-values", "WLS: largest departure from the recorded errors at N = 8 ... 128",
           curve_deviation(&curve, 5, wls), 0, 0.15);
-    pick(&curve, rows, "error_linf", WLS2);
+    curve_pick(&curve, rows, "cells", "error_linf", "%s", where_is(WLS2));
     claim(c, "T-1.wls2-values", "WLS2: largest departure from the recorded errors at N = 8 ... 128",
           curve_deviation(&curve, 5, wls2), 0, 0.15);
 }
@@ -187,14 +176,13 @@ static void check_causes(Check *c, const Table *rows)
 /* Readings of the text that do not run. */
 static void check_failures(Check *c, const Table *rows)
 {
-    char where[256];
     Measure lost = measure_sum_of(5);
     claim(c, "T-1.c0",
           "WLS with values at nodes only, no slopes: largest error at N = 64 (WLS: 2.7e-4)",
           error_at(rows, C0, 64), 5e-3, 1);
     for (int k = 0; k < 5; k++) {
         const double steps =
-            select_ended(rows, "steps", "%s cells=%d", where_is(LITERAL, where), cells[k]).value;
+            select_ended(rows, "steps", "%s cells=%d", where_is(LITERAL), cells[k]).value;
         measure_add(&lost, isnan(steps) ? NAN : steps < 20);
     }
     claim(c, "T-1.literal",
@@ -209,7 +197,7 @@ static void check_cuts(Check *c, const Results *r)
     for (int m = 0; m < METHODS; m++) {
         Curve curve;
         curve_pick(&curve, t, "cells", "error", "method=%s", cut_methods[m]);
-        order[m] = measure_times(curve_order(&curve, 16, 128, 4), -1);
+        order[m] = curve_order_in_h(t, "error", 16, 128, 4, "method=%s", cut_methods[m]);
         for (int k = 0; k < curve.n; k++) curve.y[k] *= curve.x[k] * curve.x[k];
         most[m] = curve_max(&curve, CUT_MESHES);
     }

@@ -43,34 +43,20 @@ static void cases(Cases *list, bool quick)
     }
 }
 
-/* Errors on the shell; body: of FEM, else "". */
-static void shell_errors(Curve *c, const Table *t, const char *method, const char *body)
+/* The rows of a method on the shell; body: of FEM, else "". */
+static const char *shell(const char *method, const char *body)
 {
-    if (*body)
-        curve_pick(c, t, "cells", "error_linf", "problem=shell method=%s body=%s", method, body);
-    else
-        curve_pick(c, t, "cells", "error_linf", "problem=shell method=%s", method);
+    return phrase("problem=shell method=%s%s%s", method, *body ? " body=" : "", body);
 }
 
-static Measure error_at(const Table *t, const char *method, const char *body, double n)
+static Measure error_at(const Table *t, const char *method, const char *body, int n)
 {
-    Curve c;
-    shell_errors(&c, t, method, body);
-    return curve_at(&c, n);
+    return select_value(t, "error_linf", "%s cells=%d", shell(method, body), n);
 }
 
 static Measure order(const Table *t, const char *method, const char *body, double to, int meshes)
 {
-    Curve c;
-    shell_errors(&c, t, method, body);
-    return measure_times(curve_order(&c, 8, to, meshes), -1);
-}
-
-static Measure ring_order(const Table *t, const char *method)
-{
-    Curve c;
-    curve_pick(&c, t, "cells", "error_linf", "problem=ring method=%s", method);
-    return measure_times(curve_order(&c, 8, 32, MESHES), -1);
+    return curve_order_in_h(t, "error_linf", 8, to, meshes, "%s", shell(method, body));
 }
 
 /* Errors that an independent code measured: error at N = 8, 16, 32 (0: not run here), within 10 %,
@@ -135,7 +121,10 @@ static void check(Check *c, const Results *r)
         const char *method = (*m)->name;
         const char *body = engine_has_grid(&engine_3d, method) ? "" : "nodes";
         const int meshes = meshes_of(method);
-        claim_note(c, phrase("ring_%s", method), ring_order(t, method).value);
+        claim_note(
+            c, phrase("ring_%s", method),
+            curve_order_in_h(t, "error_linf", 8, 32, MESHES, "problem=ring method=%s", method)
+                .value);
         claim_note(c, phrase("shell_%s", method),
                    order(t, method, body, cells[meshes - 1], meshes).value);
     }
