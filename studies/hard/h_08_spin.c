@@ -257,11 +257,13 @@ static void check(Check *c, const Results *r)
           "Imposed spin: J grows by exp(2 pi w dt) a turn with GE-MPM, GE-GIMP, APIC, TPIC, WLS, "
           "WLS2 and FEM: largest relative deviation",
           off_growth(t, "ge_mpm ge_gimp apic tpic wls wls2 fem", 7), 0, 0.01);
-    claim_differs(c, "H-8a.growth-all",
-                  "Imposed spin: J grows by exp(2 pi w dt) a turn with every method that finishes: "
-                  "largest relative deviation",
-                  off_growth(t, "", METHODS), 0, 0.01, 0.01, 0.1,
-                  "less: mass-weighted projection underestimates rotation at edges");
+    claim_differs(
+        c, "H-8a.growth-all",
+        "Imposed spin: J grows by exp(2 pi w dt) a turn with every method that finishes: "
+        "largest relative deviation",
+        off_growth(t, "", METHODS), 0, 0.01, 0.01, 0.1,
+        "a turn GIMP and XPIC gain 3.9 % less, FMPM 2.1, B-splines 1.3, MPM 1.1: mass-weighted "
+        "projection underestimates rotation at edges");
     claim(c, "H-8a.extent",
           "Imposed spin: after a quarter turn particle boxes have no width left: least |F_xx| of "
           "GIMP",
@@ -271,7 +273,8 @@ static void check(Check *c, const Results *r)
         "Free spin with cd: J stays bounded: largest mean J of GIMP, GE-GIMP, APIC, FEM",
         curve_worst(t, "gimp ge_gimp apic fem", 1, "J", "scene=free variant=usual"), 1, 1.015,
         1.015, 1.03,
-        "bounded; but the block starts without the strain of its spin and breathes (FEM, too)");
+        "bounded: FEM 1.022, GE-GIMP 1.015, APIC 1.012, GIMP 1.007; the block starts without the "
+        "strain of its spin and breathes");
     claim(c, "H-8b.gimp", "Free spin: GIMP loses 1.7 % of its angular momentum a turn",
           select_value(t, "loss", "scene=free variant=usual method=gimp"), 0.012, 0.022);
     claim_differs(c, "H-8b.ge-gimp",
