@@ -46,9 +46,9 @@ static int init(Scene *s, char why[128])
     s->body_hi[0] = length;
     s->body_hi[1] = height;
     if (DIM > 2) {
-        s->lo[DIM - 1] = -1;
-        s->hi[DIM - 1] = height + 1;
-        s->body_hi[DIM - 1] = height;
+        s->lo[AXIS_LAST] = -1;
+        s->hi[AXIS_LAST] = height + 1;
+        s->body_hi[AXIS_LAST] = height;
     }
     s->wall[s->nwall++] = (Wall){.axis = 0, .side = -1, .at = 0, .hold = (1u << DIM) - 1};
     s->c = material_wave_speed_bound(&s->mat);

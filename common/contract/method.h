@@ -68,7 +68,7 @@ static inline double *own_field(const Chunk *c, int k)
 
 /* The tables of one axis of a chunk: for node base + k and particle p, at distance r = x_i - x_p.
  */
-enum { T_S, T_G, T_R, T_Q, TABLES }; /* S [-], G = dS/dx_p [1/cell], R = S r [cell], Q = S r^2 */
+enum { T_S, T_G, T_R, TABLES }; /* S [-], G = dS/dx_p [1/cell], R = S r [cell] */
 
 typedef struct Stencil {
     bool on_node;    /* tents: some particle lies on a node of this axis (on_node.c) */

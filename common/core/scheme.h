@@ -82,7 +82,8 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
     for (int d = 0; d < DIM; d++) {
         w->stencil[d].on_node = false;
         method->shape(&sim->g.axis[d], width, w->x[d], w->b[d], &w->stencil[d]);
-        if (w->stencil[d].on_node) w->on_node = on_node_clear_slopes(&w->stencil[d]);
+        if (w->stencil[d].on_node) on_node_clear_slopes(&w->stencil[d]);
+        w->on_node |= w->stencil[d].on_node;
     }
     return width;
 }
@@ -144,7 +145,7 @@ static inline size_t row_offset(const Grid *g, int width, int r)
 {
     if (DIM == 1) return 0;
     if (DIM == 2) return (size_t)r * (size_t)g->n[0];
-    return ((size_t)(r / width) * (size_t)g->n[DIM > 1] + (size_t)(r % width)) * (size_t)g->n[0];
+    return ((size_t)(r / width) * (size_t)g->n[AXIS_Y] + (size_t)(r % width)) * (size_t)g->n[0];
 }
 
 /* Product of the weights of all axes but the first, for row r (DIM > 1). */

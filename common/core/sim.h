@@ -80,6 +80,8 @@ typedef struct Grid {
     int *live;    /* [rows] nodes with mass */
 } Grid;
 
+enum { BLOCK_ROWS = 8 };
+
 typedef struct Sim {
     const Setup *setup;
     Method method; /* the run's own copy */
@@ -89,22 +91,22 @@ typedef struct Sim {
     Particles p;
     Grid g;
     Block *block;
-    int nblock, block_rows;
-    double ppc;        /* particles per cell, as placed */
-    double half;       /* l0/h: half width of an undeformed particle in cells */
-    double half_max;   /* widest half width that the stencils allow for, in cells */
-    double half_plan;  /* the one that the current order and spans were made for */
-    double half_now;   /* widest now */
-    double key_shift;  /* particles are sorted by floor(x + this), in cells */
-    double travel;     /* farthest any particle may have moved since the last sort, in cells */
-    double mass_cut;   /* nodes with less are empty [kg] */
-    double mass_body;  /* nodes with less get no stress from particles on nodes [kg] */
-    long nodes, live;  /* most live nodes so far; those of the last solve */
-    Vec impulse;       /* [kg m/s] given by body forces and walls so far */
-    Vec outside;       /* [kg m/s] by body forces and tractions alone, if setup->reactions */
-    double dx;         /* 1/cells [m] */
-    double dt_before;  /* [s] of the step before; 0: none */
-    int surface;       /* surface particles, if the method has any */
+    int nblock, block_rows; /* of the last axis; at least BLOCK_ROWS, in 1D 8 times that */
+    double ppc;             /* particles per cell, as placed */
+    double half;            /* l0/h: half width of an undeformed particle in cells */
+    double half_max;        /* widest half width that the stencils allow for, in cells */
+    double half_plan;       /* the one that the current order and spans were made for */
+    double half_now;        /* widest now */
+    double key_shift;       /* particles are sorted by floor(x + this), in cells */
+    double travel;          /* farthest any particle may have moved since the last sort, in cells */
+    double mass_cut;        /* nodes with less are empty [kg] */
+    double mass_body;       /* nodes with less get no stress from particles on nodes [kg] */
+    long nodes, live;       /* most live nodes so far; those of the last solve */
+    Vec impulse;            /* [kg m/s] given by body forces and walls so far */
+    Vec outside;            /* [kg m/s] by body forces and tractions alone, if setup->reactions */
+    double dx;              /* 1/cells [m] */
+    double dt_before;       /* [s] of the step before; 0: none */
+    int surface;            /* surface particles, if the method has any */
     long fallbacks;    /* nodes that fell back from their method's own rule, summed over steps */
     struct Skin *skin; /* the surface under traction, or NULL */
     bool moved;        /* the last step has moved the particles */
@@ -145,8 +147,8 @@ int sim_take_over(Sim *to, Sim *from, Fault *fault);
  * written. stash.c. */
 void sim_stash(Sim *sim, Stash *s);
 
-/* G = 0 for particles on nodes, whose slope is not the tent's; returns true; on_node.c. */
-bool on_node_clear_slopes(Stencil *stencil);
+/* G = 0 for particles on nodes, whose slope is not the tent's; on_node.c. */
+void on_node_clear_slopes(Stencil *stencil);
 
 /* What particles receive from a node of mass m in one pass: momentum m (a_share a + v_share v). */
 typedef struct Given {

@@ -43,7 +43,7 @@ static int *cell_order(Sim *sim, int *buffer[2])
 
 static int block_of(const Sim *sim, int slot)
 {
-    return sim->p.key[DIM - 1][slot] / sim->block_rows;
+    return sim->p.key[AXIS_LAST][slot] / sim->block_rows;
 }
 
 /* Cuts the order at block borders; source[slot] is the old slot, or -1 - slot for padding. */
@@ -154,7 +154,7 @@ void sim_sort(Sim *sim)
     sim->half_plan = half ? 0.5 : fmin(1.25 * sim->half_now, sim->half_max);
     sim->key_shift = sim->method.about_node || sim->method.width(sim->half_plan) % 2 ? 0.5 : 0;
     const int reach = 2 * (sim->method.width(sim->half_plan) / 2) + 3;
-    const int least = DIM == 1 ? 64 : 8;
+    const int least = DIM == 1 ? 8 * BLOCK_ROWS : BLOCK_ROWS;
     sim->block_rows = (reach + least - 1) / least * least;
     int *buffer[2] = {sim->p.order, sim->p.source};
     find_keys(sim);

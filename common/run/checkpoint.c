@@ -2,6 +2,7 @@
 #include "loop.h"
 #include <stdlib.h>
 #include <string.h>
+#include "common/base/stopwatch.h"
 #include "common/base/saved.h"
 #include "common/base/table.h"
 
@@ -72,7 +73,7 @@ static void stash_history(Loop *l, Stash *s)
 
 static void stash_time(Loop *l, Stash *s)
 {
-    double spent = l->save.spent + loop_seconds() - l->save.began;
+    double spent = l->save.spent + stopwatch_wall() - l->save.began;
     STASH(s, spent);
     if (s->load) l->save.spent = spent;
 }
@@ -96,7 +97,7 @@ static void stash_loop(Loop *l, Moment *m, Side *before, Stash *s)
 
 void checkpoint_write(Loop *l, Moment *m, Side *before, bool now)
 {
-    const double t = loop_seconds();
+    const double t = stopwatch_wall();
     if (!l->save.path || l->code || (!now && t - l->save.last < l->save.every_s)) return;
     const SavedKey key = {l->save.command, l->save.program};
     Stash s = {.f = saved_begin(l->save.path, &key, l->fault)};
@@ -109,7 +110,7 @@ void checkpoint_write(Loop *l, Moment *m, Side *before, bool now)
     } else {
         l->code = saved_commit(s.f, l->save.path, l->fault);
     }
-    l->save.last = loop_seconds();
+    l->save.last = stopwatch_wall();
 }
 
 int checkpoint_read(Loop *l, Moment *m, Side *before)

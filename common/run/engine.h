@@ -40,6 +40,10 @@ typedef struct Engine {
     int (*weight)(const char *method, double x, double l, double *S, double *G);
 } Engine;
 
+/* A run has the status energy_growth if kinetic + strain energy - work rises by more than this part
+ * of the largest energy so far. */
+#define ENGINE_GROWTH 0.05
+
 extern const Engine engine_1d, engine_2d, engine_3d;
 extern const Engine *const engines[]; /* main's list, NULL-terminated */
 

@@ -59,7 +59,7 @@ void loop_record_start(Loop *l, const Side *before, const Side *after, double st
     for (int k = 0; k < p.n; k++) l->noise += 16 * DBL_EPSILON * p.m[k] * pow(l->plan->scene.c, 2);
 }
 
-/* True if K + S - W exceeds its start by more than 5 % of the largest K + S so far, after
+/* True if K + S - W exceeds its start by more than ENGINE_GROWTH of the largest K + S so far, after
  * subtracting `open`, the part that the time step leaves undetermined: the mean of K(n-1/2) and
  * K(n+1/2) exceeds K at t_n by a quarter of the energy of_change, and under a force that rises from
  * zero the trapezoidal rule misses as much of W. `noise` is the round-off of stored energy, whose
@@ -76,7 +76,8 @@ static bool is_growth(Loop *l, const Moment *m, double open)
     l->counted = now;
     l->most = larger(l->most, own.kinetic + m->strain);
     if (l->done == 0) return false; /* the start is what growth is measured from */
-    return own.kinetic + m->strain - m->work - l->base - own.open > 0.05 * l->most + l->noise;
+    return own.kinetic + m->strain - m->work - l->base - own.open >
+           ENGINE_GROWTH * l->most + l->noise;
 }
 
 /* Time over which the accelerations of this step act: from the middle of the step before, where the

@@ -17,8 +17,8 @@ typedef struct Counted {
 /* Where the run's state goes and comes from, or NULL. */
 typedef struct Save {
     const char *path, *resume;
-    double every_s, last; /* [s] between two; loop_seconds of the last one */
-    double began, spent;  /* [s] loop_seconds at the start; run time before the resumption */
+    double every_s, last; /* [s] between two; stopwatch_wall of the last one */
+    double began, spent;  /* [s] stopwatch_wall at the start; run time before the resumption */
     char command[SPEC_TEXT];
     unsigned long program;
 } Save;
@@ -81,8 +81,6 @@ void loop_record_energy(Loop *l, Moment *m, const Side *before, const Side *afte
 void loop_record_momentum(Loop *l, const Side *after);
 void loop_record_work(Loop *l, double t); /* of the step from t that has just been finished */
 void loop_record_errors(Loop *l, Errors e);
-
-double loop_seconds(void); /* of a clock that only goes on; run.c */
 
 /* Hand-over, before step `done` is taken: is it due; do it, with *before as it is then. False: a
  * fault, in l->code. relay.c. */

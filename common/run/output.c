@@ -1,5 +1,6 @@
 /* output.c: see output.h. Columns are the same in every dimension; absent ones stay empty. */
 #include <math.h>
+#include <stdlib.h>
 #include "output.h"
 #include "state.h"
 #include "common/base/table.h"
@@ -49,14 +50,14 @@ void output_history_line(FILE *out, const Moment *m)
                               m->work,
                               m->kinetic + m->strain,
                               p[0],
-                              DIM > 1 ? p[DIM > 1] : NAN,
+                              DIM > 1 ? p[AXIS_Y] : NAN,
                               m->error_linf,
                               m->dt,
                               m->volume,
                               m->least_J,
                               m->most_J,
                               DIM == 2 ? L[2] : NAN,
-                              DIM > 2 ? p[DIM - 1] : NAN,
+                              DIM > 2 ? p[AXIS_LAST] : NAN,
                               DIM > 2 ? L[0] : NAN,
                               DIM > 2 ? L[1] : NAN,
                               DIM > 2 ? L[2] : NAN};
@@ -163,7 +164,7 @@ static void patch_lines(void *own, const Patch *patch)
         fprintf(p->out, "%d,%d,", p->cells - 1, k);
         for (int d = 0; d < 2 && d < DIM; d++) number(p->out, patch->corner[k][d], ",");
         fputs(patch->cut ? "1" : "0", p->out);
-        if (DIM > 2) fprintf(p->out, ",%.17g,%d", patch->corner[k][DIM - 1], patch->face);
+        if (DIM > 2) fprintf(p->out, ",%.17g,%d", patch->corner[k][AXIS_LAST], patch->face);
         fputs("\n", p->out);
     }
 }
@@ -175,4 +176,38 @@ int output_patches(const char *path, const Solver *solver, const void *self, Fau
     fputs(DIM > 2 ? "cell,k,x,y,cut,z,face\n" : "cell,k,x,y,cut\n", p.out);
     solver->patches(self, patch_lines, &p);
     return file_commit(p.out, path, fault);
+}
+
+/* slot[id] of points with mass, -1 for others, so that rows come in placement order. */
+static int *slots_with_mass(const Points *p, int *count)
+{
+    int *slot = malloc(sizeof(int) * (size_t)(p->n + 1));
+    *count = 0;
+    for (int k = 0; slot && k < p->n; k++) slot[k] = -1;
+    for (int k = 0; slot && k < p->n; k++) {
+        if (p->id[k] < 0) continue;
+        slot[p->id[k]] = p->m[k] > 0 ? k : -1;
+        if (p->id[k] >= *count) *count = p->id[k] + 1;
+    }
+    return slot;
+}
+
+int output_errors(const char *path, const Scene *scene, const Points *p, double t, Scratch *s,
+                  Fault *fault)
+{
+    int count, *slot = slots_with_mass(p, &count);
+    if (!slot) return fault_set(fault, FAULT_MACHINE, "out of memory writing %s", path);
+    FILE *out = file_begin(path, fault);
+    norm_displacement(scene, p, t, 1, s);
+    if (out) fputs("id,X,Y,error,weight,Z\n", out);
+    for (int id = 0; out && id < count; id++) {
+        const int k = slot[id];
+        if (k < 0) continue;
+        const double cells[] = {p->X[0][k], DIM > 1 ? p->X[AXIS_Y][k] : NAN, s->w[k], p->V0[k],
+                                DIM > 2 ? p->X[AXIS_LAST][k] : NAN};
+        fprintf(out, "%d,", id);
+        for (int c = 0; c < 5; c++) number(out, cells[c], c < 4 ? "," : "\n");
+    }
+    free(slot);
+    return out ? file_commit(out, path, fault) : FAULT_MACHINE;
 }

@@ -6,21 +6,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 #include "loop.h"
+#include "common/base/stopwatch.h"
 #include "common/base/table.h"
-
-static double seconds(clockid_t clock)
-{
-    struct timespec t;
-    clock_gettime(clock, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-double loop_seconds(void)
-{
-    return seconds(CLOCK_MONOTONIC);
-}
 
 static Errors errors_now(Loop *l, double t)
 {
@@ -33,10 +21,10 @@ static Errors errors_now(Loop *l, double t)
 
 static void take_step(Loop *l, double t)
 {
-    const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+    const double cpu = stopwatch_cpu(), wall = stopwatch_wall();
     l->status = l->plan->solver->step(l->self, t, l->dt, l->done == 0);
-    l->cpu += seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
-    l->wall += seconds(CLOCK_MONOTONIC) - wall;
+    l->cpu += stopwatch_cpu() - cpu;
+    l->wall += stopwatch_wall() - wall;
 }
 
 /* W11 eq 34: the longest step now, not below a thousandth of the first one, which a run that blows
@@ -192,10 +180,10 @@ static void choose_dt(Loop *l)
 static int project(Loop *l, Fault *fault)
 {
     Nodes nodes;
-    const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+    const double cpu = stopwatch_cpu(), wall = stopwatch_wall();
     l->status = l->plan->solver->project(l->self);
-    l->cpu = seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
-    l->wall = seconds(CLOCK_MONOTONIC) - wall;
+    l->cpu = stopwatch_cpu() - cpu;
+    l->wall = stopwatch_wall() - wall;
     if (l->status.code != OK) return 0;
     l->plan->solver->nodes(l->self, &nodes);
     if (!norm_scratch_fit(&l->scratch, nodes.n))
@@ -295,7 +283,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
               .growth_step = -1,
               .worst = norm_no_errors,
               .drift = NAN};
-    l.save.began = loop_seconds();
+    l.save.began = stopwatch_wall();
     int code = plan_make(&own, &plan, fault);
     if (code) return code;
     *row = row_empty();
@@ -318,6 +306,6 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     snapshot_free(&l.shots);
     if (l.history && code) file_abandon(l.history, spec->history);
     if (l.history && !code) code = file_commit(l.history, spec->history, fault);
-    row->wall_run_s = l.save.spent + loop_seconds() - l.save.began;
+    row->wall_run_s = l.save.spent + stopwatch_wall() - l.save.began;
     return code;
 }

@@ -12,11 +12,6 @@
 
 enum { BLOCK = 512, OLDEST = 27 /* columns of the first tables */ };
 
-static int machine(const char *path, Fault *fault)
-{
-    return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
-}
-
 /* Columns of a header that is ours or, from an older program, the beginning of it; else 0. */
 static int columns_of(const char *header, const char *ours)
 {
@@ -35,7 +30,7 @@ static int read_header(int fd, const char *path, Fault *fault)
     int length = row_header(ours);
     ssize_t n = pread(fd, text, sizeof text - 1, 0);
     if (n < 0 && errno != ESPIPE) {
-        machine(path, fault);
+        fault_machine(fault, path);
         return -1;
     }
     if (n <= 0) return 0;
@@ -57,7 +52,7 @@ int csv_append_check(const char *path, Fault *fault)
         close(fd);
         return header < 0 ? fault->code : 0;
     }
-    return errno == ENOENT ? file_check(path, fault) : machine(path, fault);
+    return errno == ENOENT ? file_check(path, fault) : fault_machine(fault, path);
 }
 
 /* Makes the file end in a whole line: a last line without its end gets one if it has every cell,
@@ -85,7 +80,7 @@ static int write_whole(int fd, const char *path, const char *text, size_t n, off
     ssize_t done = write(fd, text, n);
     if (done == (ssize_t)n) return 0;
     if (done >= 0) errno = ENOSPC;
-    int code = machine(path, fault);
+    int code = fault_machine(fault, path);
     return ftruncate(fd, size) == 0 ? code : code; /* what is left is then a torn line, and known */
 }
 
@@ -106,9 +101,9 @@ static int append_locked(int fd, const char *path, const Row *row, FILE *notes, 
     const int found = read_header(fd, path, fault), columns = found ? found : row_columns();
     int n = 0;
     if (found < 0) return fault->code;
-    if (fstat(fd, &s) != 0) return machine(path, fault);
+    if (fstat(fd, &s) != 0) return fault_machine(fault, path);
     off_t size = S_ISREG(s.st_mode) ? mend_tail(fd, s.st_size, columns, path, notes) : 0;
-    if (size < 0) return machine(path, fault);
+    if (size < 0) return fault_machine(fault, path);
     if (!found) {
         n = row_header(text);
         text[n++] = '\n';
@@ -120,9 +115,9 @@ static int append_locked(int fd, const char *path, const Row *row, FILE *notes, 
 int csv_append(const char *path, const Row *row, FILE *notes, Fault *fault)
 {
     int fd = open(path, O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
-    if (fd < 0) return machine(path, fault);
-    int code = flock(fd, LOCK_EX) == 0 || errno == EINVAL ? 0 : machine(path, fault);
+    if (fd < 0) return fault_machine(fault, path);
+    int code = flock(fd, LOCK_EX) == 0 || errno == EINVAL ? 0 : fault_machine(fault, path);
     if (code == 0) code = append_locked(fd, path, row, notes, fault);
-    if (close(fd) != 0 && code == 0) code = machine(path, fault);
+    if (close(fd) != 0 && code == 0) code = fault_machine(fault, path);
     return code;
 }

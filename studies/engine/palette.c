@@ -2,10 +2,7 @@
 #include "palette.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include "studies/runs/engines.h"
-#include "studies/runs/must.h"
 
 static const char *const colours[] = {"#D55E00", "#0072B2", "#E69F00", "#56B4E9", "#332288",
                                       "#882255", "#CC6677", "#44AA99", "#999933", "#009E73",
@@ -54,15 +51,13 @@ static int sorted_names(const char *names[64], int *usual)
     return n;
 }
 
-char *palette_settings(void)
+void palette_put(FILE *f)
 {
     static const char *const lists[] = {"METHODS", "REQUESTED", "LABELS", "COLOURS", "MARKERS"};
     const char *names[64];
-    char *text = NULL, colour[8];
-    size_t size;
+    char colour[8];
     int usual;
     const int n = sorted_names(names, &usual);
-    FILE *f = must(open_memstream(&text, &size));
     for (int list = 0; list < 5; list++) {
         fprintf(f, "%s='", lists[list]);
         for (int k = list == 1 ? usual : 0; k < (list ? n : usual); k++) {
@@ -75,6 +70,4 @@ char *palette_settings(void)
         }
         fputs("'; ", f);
     }
-    fclose(f);
-    return must(text);
 }

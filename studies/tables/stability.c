@@ -91,7 +91,7 @@ static void write_limits(FILE *f, const Table *rows, const Ladder *l)
     write_place(f, rows, l->row[0]);
     fprintf(f, "%s,%g", select_text(rows, l->row[0], "ppc_asked"),
             select_number(rows, l->row[0], "A"));
-    for (Grade worst = STABLE; worst < LOST; worst++) {
+    for (Mark worst = MARK_OK; worst < MARK_LOST; worst++) {
         int first;
         fprintf(f, ",%.6g,", ladder_limit(l, worst, &first));
         if (first < 0)
@@ -157,9 +157,7 @@ static void write_safe(FILE *f, const Table *limits)
 
 static FILE *begin(const Results *r, const char *part, const char *columns)
 {
-    char header[256];
-    snprintf(header, sizeof header, "%s,%s", place_header, columns);
-    return results_write(r, part, header);
+    return results_write(r, part, phrase("%s,%s", place_header, columns));
 }
 
 void stability_tables(const Results *r)
