@@ -85,7 +85,7 @@ static bool is_growth(Loop *l, const Moment *m, double open)
 static double loop_kick(const Loop *l)
 {
     if (!step_half_first(l->plan->setup.integrator)) return l->dt;
-    if (l->instants == 1) return 0.5 * l->dt;
+    if (l->instants == 0) return 0.5 * l->dt;
     return l->dt_before > 0 ? 0.5 * (l->dt_before + l->dt) : l->dt;
 }
 
@@ -94,7 +94,7 @@ static void note_growth(Loop *l)
 {
     const Points p = points_of(l);
     l->growth_step = l->done;
-    l->growth_t = l->plan->adaptive ? l->t : (double)l->done * l->dt;
+    l->growth_t = l->t;
     l->fastest = ledger_fastest_point(&p, &l->speed);
 }
 
