@@ -57,8 +57,9 @@ int saved_commit(FILE *f, const char *path, Fault *fault)
     fseek(f, n, SEEK_SET);
     fprintf(f, "%08lx\n", sum);
     snprintf(before, sizeof before, "%.4000s.1", path);
-    if (fflush(f) != 0 || ferror(f) || fsync(fileno(f)) != 0 ||
-        (rename(path, before) != 0 && errno != ENOENT)) {
+    const bool written = fflush(f) == 0 && !ferror(f) && fsync(fileno(f)) == 0;
+    if (written) unlink(before); /* the newest keeps its name until the next one has it */
+    if (!written || (link(path, before) != 0 && errno != ENOENT)) {
         const int error = errno;
         file_abandon(f, path);
         return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(error ? error : EIO));

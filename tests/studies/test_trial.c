@@ -45,7 +45,9 @@ static const char *const none_lost[] = {"W07-12.gimp-lost",
                                         NULL};
 /* That some runs are lost, or where that begins; or the best of many runs, or of those not lost,
  * of which there must be so many. */
-static const char *const some_lost[] = {"W07-12.mpm-lost-2",
+static const char *const some_lost[] = {"T-10.vortex-wls2",
+                                        "T-10.bar",
+                                        "W07-12.mpm-lost-2",
                                         "W07-12.mpm-lost-5",
                                         "W07-12.mpm-grown-5",
                                         "W07-12.mpm-ok-5",
