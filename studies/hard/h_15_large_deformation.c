@@ -28,9 +28,9 @@ static bool takes(const char *method, int rule)
 
 static void vortex_add(Cases *list, const char *method, int rule, int cells, double G)
 {
-    const bool particles = engine_has_grid(&engine_2d, method);
     case_add(list, "run vortex --method %s --cells %d --cfl .1 --set G=%g%s --set domain=%s",
-             method, cells, G, particles ? " --set layout=radial" : "", rules[rule]);
+             method, cells, G, engine_has_grid(&engine_2d, method) ? " --set layout=radial" : "",
+             rules[rule]);
 }
 
 static char *part_name(char part[64], const char *method, int rule)
@@ -51,10 +51,9 @@ static void bar_add(Cases *list, const char *method, int rule)
 static void cases(Cases *list, bool quick)
 {
     char part[64];
-    for (int k = 0; k < WHOLE; k++) {
-        part_name(part, whole[k], END);
-        case_add_with(list, "particles", part, "run hanging_bar --method %s --cfl .1", whole[k]);
-    }
+    for (int k = 0; k < WHOLE; k++)
+        case_add_with(list, "particles", part_name(part, whole[k], END),
+                      "run hanging_bar --method %s --cfl .1", whole[k]);
     for (const Info *const *m = engine_2d.methods; *m; m++)
         for (int rule = 0; rule < RULES; rule++) {
             if (!takes((*m)->name, rule)) continue;
@@ -146,7 +145,6 @@ static void write_grid(FILE *f, const Results *r)
     }
 }
 
-/* Errors against N at G = .5, runs that reached the end. */
 static void write_errors(FILE *f, const Table *rows)
 {
     for (int row = 0; row < rows->nrow; row++)
@@ -266,9 +264,9 @@ static void check_bar(Check *c, const Table *grid)
 /* The bar's length at t = .25 s over FEM's. */
 static Measure length_ratio(const Results *r, const char *method)
 {
-    char own[64], fem[64];
-    part_name(own, method, END), part_name(fem, "fem", END);
-    return measure(stretch_of(r, own) / stretch_of(r, fem), 2, 2);
+    char own[64];
+    const double length = stretch_of(r, part_name(own, method, END));
+    return measure(length / stretch_of(r, part_name(own, "fem", END)), 2, 2);
 }
 
 static void check_made_for_it(Check *c, const Results *r, const Table *grid)
