@@ -36,17 +36,6 @@ static void list(const Chunk *c, const Place *grid, const Field x[], NodeList *o
     }
 }
 
-static void reach(const Chunk *c, const Place *grid, Field out)
-{
-    for (int p = 0; p < CHUNK; p++) out[p] = 0;
-    for (int d = 0; d < DIM; d++)
-        for (int p = 0; p < CHUNK; p++) {
-            double r = 0;
-            for (int k = 0; k < DIM; k++) r += fabs(c->F[d * DIM + k][p]);
-            out[p] = grid->half * r > out[p] ? grid->half * r : out[p];
-        }
-}
-
 const Method method_cpdi = {
     .info = {.name = "cpdi",
              .label = "CPDI",
@@ -60,7 +49,7 @@ const Method method_cpdi = {
     .smooth = true,
     .width = corner_width,
     .list = list,
-    .reach = reach,
+    .reach = parallelogram_reach,
     .payload = mass_payload,
     .update = flip_update,
 };

@@ -13,31 +13,6 @@
 #include "methods/parts/corners.h"
 #include "methods/parts/transfers.h"
 
-/* dN_c/ds of axis d at s (multilinear, s in [-1, 1]). */
-static double slope_of(int c, int d, const double s[DIM])
-{
-    double N = 0.5 * corner_side(c, d);
-    for (int e = 0; e < DIM; e++)
-        if (e != d) N *= 0.5 * (1 + corner_side(c, e) * s[e]);
-    return N;
-}
-
-/* Adds the Gauss point s: volume, w V and g V of all corners. */
-static void add_gauss(double r[CORNERS][DIM], const double s[DIM], double *V, double w[CORNERS],
-                      double g[CORNERS][DIM])
-{
-    Mat F = {0};
-    for (int c = 0; c < CORNERS; c++)
-        for (int k = 0; k < NMAT; k++) F[k] += r[c][k / DIM] * slope_of(c, k % DIM, s);
-    const double J = determinant(F);
-    *V += J;
-    for (int c = 0; c < CORNERS; c++) {
-        w[c] += J * slope_of(c, 0, s) * corner_side(c, 0) * (1 + corner_side(c, 0) * s[0]);
-        for (int k = 0; k < NMAT; k++)
-            g[c][k / DIM] += cofactor(F, k / DIM, k % DIM) * slope_of(c, k % DIM, s);
-    }
-}
-
 static void list(const Chunk *chunk, const Place *grid, const Field x[], NodeList *out)
 {
     Field w[CORNERS], g[CORNERS][DIM], y[CORNERS][DIM];
@@ -59,26 +34,6 @@ static void list(const Chunk *chunk, const Place *grid, const Field x[], NodeLis
     }
     for (int c = 0; c < CORNERS; c++)
         corner_nodes(grid, c, (const Field *)y[c], w[c], (const Field *)g[c], out);
-}
-
-static void reach(const Chunk *c, const Place *grid, Field out)
-{
-    for (int p = 0; p < CHUNK; p++) out[p] = 0;
-    for (int k = 0; k < CORNERS * DIM; k++)
-        for (int p = 0; p < CHUNK; p++) {
-            const double r = fabs(own_field(c, k)[p] - c->x[k % DIM][p]) * grid->cells;
-            out[p] = r > out[p] ? r : out[p];
-        }
-}
-
-static void start(const Chunk *c, const Place *grid)
-{
-    for (int k = 0; k < CORNERS * DIM; k++)
-        for (int p = 0; p < CHUNK; p++) {
-            double r = 0;
-            for (int e = 0; e < DIM; e++) r += corner_side(k / DIM, e) * c->F[k % DIM * DIM + e][p];
-            own_field(c, k)[p] = c->x[k % DIM][p] + r * grid->half / grid->cells;
-        }
 }
 
 static void update(const Chunk *c, const Field sums[], double dt, unsigned take)
@@ -103,10 +58,10 @@ const Method method_cpdi2 = {
     .smooth = true,
     .width = corner_width,
     .list = list,
-    .reach = reach,
+    .reach = corner_reach,
     .points = CORNERS,
     .own = names,
-    .start = start,
+    .start = start_corners,
     .payload = mass_payload,
     .update = update,
 };

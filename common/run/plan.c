@@ -127,6 +127,14 @@ static int by_name(const void *a, const void *b)
     return strcmp(((const Setting *)a)->name, ((const Setting *)b)->name);
 }
 
+/* Value of a run setting that is not typed, with this method (NULL: a mesh). */
+static double usual_value(const Param *p, const Method *m)
+{
+    if (p == &settings_common[P_LAYOUT]) return m && m->surface;
+    if (p == &settings_common[P_FRAME]) return m ? m->frame : FRAME_CURRENT;
+    return p->value;
+}
+
 /* Adds every parameter of problem and method to the spec, which then selects this run alone. */
 static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
 {
@@ -139,8 +147,6 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
             snprintf(pair, sizeof pair, "%s=%s", lists[l][k].name, text);
             if (spec_set(spec, pair, fault)) return FAULT_USAGE;
         }
-    const Method *m = plan->setup.method;
-    const double usual = m && m->surface, frame = m ? m->frame : FRAME_CURRENT;
     int n = 0; /* drops run settings that equal their default or are stored in another field; keeps
                 * `dim`, because without it the command would select another run */
     for (int k = 0; k < spec->nset; k++) {
@@ -148,10 +154,7 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
         double value = 0;
         char takes[128];
         const bool read = p && !info_param_parse(p, spec->set[k].value, &value, takes);
-        const double known = p == &settings_common[P_LAYOUT]  ? usual
-                             : p == &settings_common[P_FRAME] ? frame
-                             : p                              ? p->value
-                                                              : 0;
+        const double known = p ? usual_value(p, plan->setup.method) : 0;
         const bool differs = p == &settings_common[P_DIM] || fabs(value - known) > 0;
         const bool keep = !p || (p != &settings_common[P_PARTICLES] && read && differs);
         if (!keep) continue;

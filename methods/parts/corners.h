@@ -6,6 +6,7 @@
 #define MPMLAB_CORNERS_H
 
 #include <math.h>
+#include "common/contract/material.h"
 #include "common/contract/method.h"
 
 enum { CORNERS = 1 << DIM };
@@ -65,6 +66,65 @@ static inline double corner_within(double r, double reach)
 {
     r = r < reach ? r : reach;
     return r > -reach ? r : -reach;
+}
+
+/* How far the corners of x + F r lie from x along any axis [cells]. */
+static inline void parallelogram_reach(const Chunk *c, const Place *grid, Field out)
+{
+    for (int p = 0; p < CHUNK; p++) out[p] = 0;
+    for (int d = 0; d < DIM; d++)
+        for (int p = 0; p < CHUNK; p++) {
+            double r = 0;
+            for (int k = 0; k < DIM; k++) r += fabs(c->F[d * DIM + k][p]);
+            out[p] = grid->half * r > out[p] ? grid->half * r : out[p];
+        }
+}
+
+/* The same of corners that are the method's own fields c DIM + d [m]. */
+static inline void corner_reach(const Chunk *c, const Place *grid, Field out)
+{
+    for (int p = 0; p < CHUNK; p++) out[p] = 0;
+    for (int k = 0; k < CORNERS * DIM; k++)
+        for (int p = 0; p < CHUNK; p++) {
+            const double r = fabs(own_field(c, k)[p] - c->x[k % DIM][p]) * grid->cells;
+            out[p] = r > out[p] ? r : out[p];
+        }
+}
+
+/* These at the start: x + F r. */
+static inline void start_corners(const Chunk *c, const Place *grid)
+{
+    for (int k = 0; k < CORNERS * DIM; k++)
+        for (int p = 0; p < CHUNK; p++) {
+            double r = 0;
+            for (int e = 0; e < DIM; e++) r += corner_side(k / DIM, e) * c->F[k % DIM * DIM + e][p];
+            own_field(c, k)[p] = c->x[k % DIM][p] + r * grid->half / grid->cells;
+        }
+}
+
+/* dN_c/ds of axis d at s (multilinear, s in [-1, 1]). */
+static inline double corner_slope(int c, int d, const double s[DIM])
+{
+    double N = 0.5 * corner_side(c, d);
+    for (int e = 0; e < DIM; e++)
+        if (e != d) N *= 0.5 * (1 + corner_side(c, e) * s[e]);
+    return N;
+}
+
+/* Adds the Gauss point s: volume, w V and g V of all corners. */
+static inline void add_gauss(double r[CORNERS][DIM], const double s[DIM], double *V,
+                             double w[CORNERS], double g[CORNERS][DIM])
+{
+    Mat F = {0};
+    for (int c = 0; c < CORNERS; c++)
+        for (int k = 0; k < NMAT; k++) F[k] += r[c][k / DIM] * corner_slope(c, k % DIM, s);
+    const double J = determinant(F);
+    *V += J;
+    for (int c = 0; c < CORNERS; c++) {
+        w[c] += J * corner_slope(c, 0, s) * corner_side(c, 0) * (1 + corner_side(c, 0) * s[0]);
+        for (int k = 0; k < NMAT; k++)
+            g[c][k / DIM] += cofactor(F, k / DIM, k % DIM) * corner_slope(c, k % DIM, s);
+    }
 }
 
 #endif

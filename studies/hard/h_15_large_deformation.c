@@ -28,9 +28,9 @@ static bool takes(const char *method, int rule)
 
 static void vortex_add(Cases *list, const char *method, int rule, int cells, double G)
 {
-    const bool particles = engine_has_grid(&engine_2d, method);
     case_add(list, "run vortex --method %s --cells %d --cfl .1 --set G=%g%s --set domain=%s",
-             method, cells, G, particles ? " --set layout=radial" : "", rules[rule]);
+             method, cells, G, engine_has_grid(&engine_2d, method) ? " --set layout=radial" : "",
+             rules[rule]);
 }
 
 static void bar_add(Cases *list, const char *method, int rule)
@@ -135,7 +135,6 @@ static void write_grid(FILE *f, const Results *r)
     }
 }
 
-/* Errors against N at G = .5, runs that reached the end. */
 static void write_errors(FILE *f, const Table *rows)
 {
     for (int row = 0; row < rows->nrow; row++)
