@@ -126,12 +126,14 @@ void gather_gradient(Sim *sim, double *const L[NMAT], double *const D[DIM])
     Work w;
     for (int k = 0; k < sim->p.n / CHUNK; k++) {
         const Chunk c = sim_chunk(sim, k);
-        const int width = make_stencils(sim, &c, &w), at = k * CHUNK;
-        for (int d = 0; d < DIM; d++) spread(sim, &w, d, width, D[d] + at);
+        const int width = sim->method.list ? 0 : make_stencils(sim, &c, &w), at = k * CHUNK;
+        for (int d = 0; d < DIM; d++) {
+            if (width) spread(sim, &w, d, width, D[d] + at);
+            for (int p = 0; p < CHUNK && !width; p++)
+                D[d][at + p] = 1; /* no affine part needs it */
+        }
+        if (L) gather_sums(sim, &c, &w);
         if (!L) continue;
-        gather_line(&sim->g, &w, width, T_G);
-        if (w.on_node && sim->g.body) on_node_gather(sim, &w);
-        unpack_sums(&w, 0, sim->g.cells);
         for (int a = 0; a < DIM; a++)
             for (int b = 0; b < DIM; b++)
                 for (int p = 0; p < CHUNK; p++)

@@ -85,10 +85,7 @@ bool skin_new(Skin **out, const Sim *sim, double spacing)
     if (ok && sim->g.outward) ok = (s->sum = calloc(nodes, sizeof *s->sum)) != NULL;
     for (int p = 0; ok && p < s->n; p++) {
         s->area[p] = points.volume[p];
-        for (int d = 0; d < DIM; d++) {
-            s->X[d][p] = points.X[d][p];
-            s->N[d][p] = points.normal[d][p];
-        }
+        for (int d = 0; d < DIM; d++) s->X[d][p] = points.X[d][p], s->N[d][p] = points.normal[d][p];
     }
     layout_free(&points);
     return ok && place(s, scene);
@@ -97,8 +94,7 @@ bool skin_new(Skin **out, const Sim *sim, double spacing)
 void skin_free(Skin *skin)
 {
     if (!skin) return;
-    free(skin->memory), free(skin->foot), free(skin->sum);
-    free(skin);
+    free(skin->memory), free(skin->foot), free(skin->sum), free(skin);
 }
 
 void skin_stash(Skin *skin, Stash *s)
@@ -216,10 +212,7 @@ static void deposit_points(Sim *sim, const Skin *s)
 static bool on_mirror(const Grid *g, int axis, int i, int row)
 {
     int index = i;
-    for (int d = 1; d <= axis; d++) {
-        index = row % g->n[d];
-        row /= g->n[d];
-    }
+    for (int d = 1; d <= axis; d++) index = row % g->n[d], row /= g->n[d];
     for (int k = 0; k < g->nmirror; k++)
         if (g->mirror[k].axis == axis && g->mirror[k].at == index) return true;
     return false;
@@ -261,12 +254,9 @@ void skin_deposit(Sim *sim, double t)
     Skin *s = sim->skin;
     find_forces(s, sim->setup->scene, t);
     for (int p = 0; p < s->n; p++) find_foot(sim, s, p, &s->foot[p]);
-    if (!sim->g.outward) {
-        deposit_points(sim, s);
-        return;
-    }
-    for (int p = 0; p < s->n; p++) sum_point(s, p);
-    for (int p = 0; p < s->n; p++)
+    if (!sim->g.outward) deposit_points(sim, s);
+    for (int p = 0; p < s->n && sim->g.outward; p++) sum_point(s, p);
+    for (int p = 0; p < s->n && sim->g.outward; p++)
         for (int k = 0; k < SKIN_CORNERS; k++) load_node(sim, s, s->foot[p].node[k]);
 }
 

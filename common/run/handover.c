@@ -162,5 +162,11 @@ int handover_plan(RunSpec *spec, const Plan *first, Handover *out, Fault *fault)
     if (read_at(spec, first, out, fault)) return FAULT_USAGE;
     if (second_spec(spec, first, spec_get(spec, "then"), &second, fault)) return FAULT_USAGE;
     if (plan_make(&second, &out->plan, fault)) return by_option(fault);
+    if (first->setup.frame == FRAME_TOTAL || out->plan.setup.frame == FRAME_TOTAL)
+        return fault_set(
+            fault, FAULT_USAGE,
+            "--then: got '%s' after %s, takes two methods on the current grid, and one "
+            "of these stays on the reference grid",
+            then, spec->method);
     return 0;
 }

@@ -65,6 +65,17 @@ typedef struct Loop {
     Reactions reactions;
 } Loop;
 
+/* The constant step and the number of steps; with dt=adaptive the next step (the last two share
+ * what is left, so that t_end is met exactly). pace.c. */
+void pace_choose(Loop *l);
+void pace_adapt(Loop *l);
+
+/* Is t_end, or the last step, reached? End [s] of the step under way; the last one ends at t_end in
+ * every bit. Share of the second of two half steps in the instant between them. */
+bool pace_is_over(const Loop *l);
+double pace_end_of_step(const Loop *l);
+double pace_share_after(const Loop *l);
+
 /* Stores the positions of all points for loop_record_work; frees them. false: out of memory. */
 bool loop_open(Loop *l);
 void loop_close(Loop *l);

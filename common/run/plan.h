@@ -42,6 +42,9 @@ int handover_plan(RunSpec *spec, const Plan *first, Handover *out, Fault *fault)
 /* Fills *plan, and every default in *spec. 0 or a fault. */
 int plan_make(RunSpec *spec, Plan *plan, Fault *fault);
 
+/* Refuses outputs and settings that this run cannot have; 0 or a fault. plan_check.c. */
+int plan_check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault);
+
 /* The refusal of --errors where no exact motion is known. */
 int plan_no_exact_motion(const RunSpec *spec, Fault *fault);
 

@@ -27,53 +27,11 @@ static void take_step(Loop *l, double t)
     l->wall += stopwatch_wall() - wall;
 }
 
-/* W11 eq 34: the longest step now, not below a thousandth of the first one, which a run that blows
- * up would soon reach. */
-static double longest_step(const Loop *l)
-{
-    Points p;
-    Samples q;
-    double speed;
-    const Plan *plan = l->plan;
-    const double c = material_wave_speed_bound(&plan->scene.mat),
-                 length = l->unit_dt * plan->scene.c;
-    plan->solver->view(l->self, &p, &q);
-    ledger_fastest_point(&p, &speed);
-    return plan->cfl * length / (c + fmin(fmax(speed, 0), 999 * c));
-}
-
-/* The next step; the last two share what is left, so that t_end is met exactly. */
-static void adapt_dt(Loop *l)
-{
-    const double left = l->plan->t_end - l->t, longest = longest_step(l);
-    l->dt_before = l->done > 0 ? l->dt : 0;
-    l->dt = left <= 0 ? longest : left <= longest ? left : fmin(longest, 0.5 * left);
-}
-
-static bool is_over(const Loop *l)
-{
-    if (!l->plan->adaptive) return l->done >= l->n;
-    return l->t >= l->plan->t_end || (l->plan->steps > 0 && l->done >= l->plan->steps);
-}
-
-/* End of this step; the last one ends at t_end in every bit. */
-static double end_of_step(const Loop *l)
-{
-    if (!l->plan->adaptive) return (double)(l->done + 1) * l->dt;
-    return l->dt >= l->plan->t_end - l->t ? l->plan->t_end : l->t + l->dt;
-}
-
-/* Share of the second of two half steps in the instant between them. */
-static double share_after(const Loop *l)
-{
-    return l->dt_before > 0 ? l->dt_before / (l->dt_before + l->dt) : 0.5;
-}
-
 static void shoot(Loop *l, long step, bool last)
 {
     if (l->shots.dir && !l->code)
         l->code = snapshot_take(&l->shots, &l->plan->scene, l->plan->solver, l->self, step,
-                                step > l->done ? end_of_step(l) : l->t, last, l->fault);
+                                step > l->done ? pace_end_of_step(l) : l->t, last, l->fault);
 }
 
 static bool grown(const Loop *l)
@@ -83,7 +41,7 @@ static bool grown(const Loop *l)
 
 static bool stopped(const Loop *l)
 {
-    return l->stop && *l->stop && !is_over(l) && !grown(l);
+    return l->stop && *l->stop && !pace_is_over(l) && !grown(l);
 }
 
 /* Instant 0; or, of a run that resumes, the one that it has reached. */
@@ -118,11 +76,11 @@ static void run_steps(Loop *l)
     Side before;
     Moment m;
     begin(l, &m, &before);
-    for (; !is_over(l) && !grown(l) && !l->code && !stopped(l); l->done++) {
+    for (; !pace_is_over(l) && !grown(l) && !l->code && !stopped(l); l->done++) {
         const double t = l->t;
         checkpoint_write(l, &m, &before, false);
         if (relay_is_due(l) && !relay_take_over(l, &before)) return;
-        if (l->plan->adaptive) adapt_dt(l);
+        if (l->plan->adaptive) pace_adapt(l);
         relay_before_step(l);
         take_step(l, t);
         if (relay_rescues(l, &before)) take_step(l, t);
@@ -135,7 +93,7 @@ static void run_steps(Loop *l)
         m.t = t;
         m.dt = l->dt;
         /* the first instant is not between two halves */
-        centre(&m, &before, &after, l->done > 0 ? share_after(l) : 0);
+        centre(&m, &before, &after, l->done > 0 ? pace_share_after(l) : 0);
         loop_record_energy(l, &m, &before, &after);
         loop_record_momentum(l, &after);
         loop_record_work(l, t);
@@ -145,7 +103,7 @@ static void run_steps(Loop *l)
         loop_measure_state(l, &m);
         before = after;
         shoot(l, l->done + 1, false);
-        l->t = end_of_step(l);
+        l->t = pace_end_of_step(l);
     }
     if (stopped(l)) checkpoint_write(l, &m, &before, true);
     m.t = l->t; /* the last instant waits for last_instant */
@@ -157,24 +115,13 @@ static void last_instant(Loop *l)
 {
     Moment m = l->last;
     const Side before = loop_measure_side(l);
-    if (l->plan->adaptive) adapt_dt(l);
+    if (l->plan->adaptive) pace_adapt(l);
     const Status status =
         l->done > 0 ? l->plan->solver->step(l->self, m.t, l->dt, false) : (Status){EMPTY, -1, 0};
-    const double w = status.code == OK ? share_after(l) : 0;
+    const double w = status.code == OK ? pace_share_after(l) : 0;
     const Side after = status.code == OK ? loop_measure_side(l) : before;
     centre(&m, &before, &after, w);
     loop_record_energy(l, &m, &before, &after);
-}
-
-static void choose_dt(Loop *l)
-{
-    const Plan *plan = l->plan;
-    const double unit =
-        plan->solver->unit_dt ? plan->solver->unit_dt(l->self) : plan->scene.cell / plan->scene.c;
-    const double n = fmax(ceil(plan->t_end / (plan->cfl * unit) - 1e-9), 1);
-    l->unit_dt = unit;
-    l->dt = plan->t_end / n;
-    l->n = plan->steps > 0 && (double)plan->steps < n ? plan->steps : (long)n;
 }
 
 static int project(Loop *l, Fault *fault)
@@ -243,7 +190,7 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
         code = project(l, fault);
         if (!code) shoot(l, 0, true);
     } else {
-        choose_dt(l);
+        pace_choose(l);
         if (!loop_fit_scratch(l) || !loop_open(l))
             return fault_set(fault, FAULT_MACHINE, "out of memory");
         probes_find(&l->probes, spec, l->plan->solver, l->self);

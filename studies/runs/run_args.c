@@ -1,7 +1,6 @@
 /* run_args.c: one table says which option fills which field of a RunSpec and what it takes. */
 #include "run_args.h"
 
-#include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,14 +19,11 @@ const Option run_args_options[] = {
     {"threads", "N", "threads inside the run (default 1)"},
     {"set", "NAME=VALUE", "a parameter of problem, method or run; may be repeated"},
     {"then", "M", "go on with another method on the same particles, from --at on"},
-    {"at", "WHEN",
-     "when: a time [s], inverted (instead of that step) or J=x (least det F below x)"},
+    {"at", "WHEN", "a time [s], inverted (instead of that step) or J=x (least det F below x)"},
     {"then-set", "NAME=VALUE", "a parameter of the second method; may be repeated"},
     {"csv", "FILE", "append the row to FILE, too"},
     {"history", "FILE", "write energies and errors of every step"},
-    {"probe", "X[,Y[,Z]]",
-     "add displacement and stress of the nearest point to the history; may be "
-     "repeated"},
+    {"probe", "X[,Y[,Z]]", "follow the nearest point in the history; may be repeated"},
     {"particles", "FILE", "write the particles at the end"},
     {"nodes", "FILE", "write the grid nodes at the end"},
     {"samples", "FILE", "write what carries strain at the end: elements of fem, else particles"},
@@ -268,43 +264,4 @@ int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault)
     if (args->spec.save_s > 0 && !args->spec.checkpoint)
         return fault_set(fault, FAULT_USAGE, "--every-s: needs --checkpoint FILE");
     return 0;
-}
-
-static bool names_files(const RunSpec *s)
-{
-    return s->history || s->particles || s->nodes || s->samples || s->errors || s->patches ||
-           s->vtk || s->checkpoint || s->resume;
-}
-
-int run_args_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault)
-{
-    enum { MOST_WORDS = 96 };
-    char words[SPEC_TEXT], *argv[MOST_WORDS + 1] = {0}, *rest = NULL;
-    int argc = 0;
-    RunArgs args;
-    if (strlen(text) >= sizeof words)
-        return fault_set(fault, FAULT_USAGE, "run text too long: %.60s...", text);
-    strcpy(words, text);
-    for (char *w = strtok_r(words, " ", &rest); w && argc < MOST_WORDS;
-         w = strtok_r(NULL, " ", &rest))
-        argv[argc++] = w;
-    int code = run_args_read(argc, argv, &args, fault);
-    if (code) return code;
-    if (args.csv || names_files(&args.spec))
-        return fault_set(fault, FAULT_USAGE, "a run of a study: got a file option, takes none");
-    *spec = args.spec;
-    *engine = engine_for(spec, fault);
-    return *engine ? (*engine)->resolve(spec, fault) : FAULT_USAGE;
-}
-
-bool run_args_is_run(const char *format, ...)
-{
-    char text[SPEC_TEXT];
-    const Engine *engine;
-    RunSpec spec;
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    return run_args_resolve(text, &spec, &engine, NULL) == 0;
 }

@@ -84,7 +84,7 @@ static double alternating(double odd)
     }
     particle_solver.view(core, &p, &q);
     CU_ASSERT_FATAL(norm_scratch_fit(&scratch, p.n));
-    const double error = norm_displacement(&r.plan.scene, &p, t, &scratch).linf;
+    const double error = norm_displacement(&r.plan.scene, &p, t, 1, &scratch).linf;
     norm_scratch_free(&scratch);
     particle_solver.free(core);
     return error;

@@ -70,11 +70,11 @@ static Motion of_particles(const Sim *sim)
     return m;
 }
 
-/* With affine parts, where a method has them on its grid: that of least squares has its own mass.
- */
+/* With affine parts, where a method has them on its grid: that of least squares has its own mass,
+ * and corners that move by themselves have another middle than the particle. */
 static Motion of_method(Sim *sim)
 {
-    return sim->method.assemble ? of_particles(sim) : of_nodes(sim);
+    return sim->method.assemble || sim->method.own ? of_particles(sim) : of_nodes(sim);
 }
 
 static double gap(const Motion *a, const Motion *b)
@@ -105,6 +105,7 @@ static void check_pair(const Method *first, const Method *second)
     if (!rig_plan(&b, &scene, second->info.name, CD,
                   a.plan.setup.fitted ? "layout=radial" : "layout=cartesian"))
         return;
+    if (first->frame == FRAME_TOTAL || second->frame == FRAME_TOTAL) return; /* refused */
     Sim *from = rig_sim(&a), *to = rig_sim(&b);
     const double step = run_up(&a, from);
     const Motion before = of_method(from);
