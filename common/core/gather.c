@@ -79,7 +79,8 @@ static void gather_moments(const Sim *sim, Work *w, int width)
 }
 
 /* The sums that an update reads. */
-static void gather_sums(const Sim *sim, const Chunk *c, Work *w)
+static inline __attribute__((always_inline)) void gather_sums(const Sim *sim, const Chunk *c,
+                                                              Work *w)
 {
     if (sim->method.list) {
         make_list(sim, c, w);
