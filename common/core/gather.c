@@ -71,7 +71,7 @@ static inline __attribute__((always_inline)) void gather_line(const Grid *g, Wor
         gather_lines(g, w, width, table);
 }
 
-static void gather_moments(const Sim *sim, Work *w, int width)
+static inline __attribute__((always_inline)) void gather_moments(const Sim *sim, Work *w, int width)
 {
     make_moments(w, width);
     gather_line(&sim->g, w, width, T_R);

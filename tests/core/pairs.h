@@ -43,14 +43,13 @@ static inline void for_cases(const Case *scene, Check *check)
 }
 
 /* The same on the reference grid, with one integrator of two projections. */
-static inline void for_total(Check *check)
+static inline void for_total(const Case *scene, Check *check)
 {
     FOR_METHODS(m)
     {
         Rig r;
         if ((*m)->assemble) continue;
-        CU_ASSERT_FATAL(
-            rig_plan(&r, &between[DIM - 1], (*m)->info.name, UVF, "allow_unstable=1;frame=total"));
+        CU_ASSERT_FATAL(rig_plan(&r, scene, (*m)->info.name, UVF, "allow_unstable=1;frame=total"));
         check(&r);
     }
 }

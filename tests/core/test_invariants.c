@@ -43,7 +43,7 @@ static void check_momentum(Rig *r)
 
 static void test_momentum(void)
 {
-    for_cases(full(), check_momentum), for_total(check_momentum);
+    for_cases(full(), check_momentum), for_total(&blocks[DIM - 1], check_momentum);
     for (int k = 0; k < 2; k++) for_cases(&on_nodes[DIM - 1][k], check_momentum);
 }
 
@@ -129,7 +129,7 @@ static void check_tent_mirror(Rig *r)
 
 static void test_mirror(void)
 {
-    for_cases(&between[DIM - 1], check_mirror), for_total(check_mirror);
+    for_cases(&between[DIM - 1], check_mirror), for_total(&between[DIM - 1], check_mirror);
     for_cases(&on_nodes[DIM - 1][1], check_tent_mirror);
 }
 
@@ -162,7 +162,7 @@ static void check_threads(Rig *r)
 
 static void test_threads(void)
 {
-    for_pairs(check_threads), for_total(check_threads);
+    for_pairs(check_threads), for_total(&blocks[DIM - 1], check_threads);
     for_cases(&on_nodes[DIM - 1][DIM > 2], check_threads);
 }
 

@@ -105,7 +105,7 @@ static void test_blocks(void)
         /* alone in the middle of a cell in 3D a particle has the weight 1/8: below the trigger */
         if (DIM > 2 && ppc == 1 && (*m)->assemble) continue;
         if ((*m)->list) continue; /* no stencil of one axis */
-        c.ppc = pow(ppc, DIM); /* 1: half widths beyond h/2 */
+        c.ppc = pow(ppc, DIM);    /* 1: half widths beyond h/2 */
         CU_ASSERT_FATAL(rig_plan(&r, &c, (*m)->info.name, USL, "allow_unstable=1"));
         Sim *sim = rig_sim(&r);
         sim_sort(sim);

@@ -32,7 +32,7 @@ static void check_poison(Rig *r)
 
 static void test_poison(void)
 {
-    for_pairs(check_poison), for_total(check_poison);
+    for_pairs(check_poison), for_total(&blocks[DIM - 1], check_poison);
     for_cases(&on_nodes[DIM - 1][0], check_poison);
 }
 
