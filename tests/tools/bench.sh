@@ -66,7 +66,7 @@ gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
 {
     echo "case,particles,ns_best,ns_median,wall_best,instructions_avx2,ratio_to_gimp,ratio_to_twin,integrator"
     for c in "${cases[@]}" "twin|" "bare-mls|" "bare-gimp|"; do
-        name=${c%%|*} n=65536 count= integrator=-
+        name=${c%%|*} n=65536 count='' integrator=-
         if [ "${c#*|}" != "" ]; then
             n=$(pick particles <"$work/$name.row")
             integrator=$(pick integrator <"$work/$name.row")
