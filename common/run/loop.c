@@ -26,7 +26,7 @@ void loop_measure_state(Loop *l, Moment *m)
     l->plan->solver->view(l->self, &p, &q);
     m->strain = ledger_strain(&l->plan->scene, &q, l->plan->setup.threads, &l->scratch);
     if (!l->history) return;
-    probes_measure(&l->probes, &l->plan->scene, l->plan->solver, l->self, m->probe);
+    probe_measure(&l->probes, &l->plan->scene, l->plan->solver, l->self, m->probe);
     const Volumes v = ledger_volumes(&q);
     m->volume = v.sum;
     m->least_J = v.least;
@@ -104,8 +104,8 @@ void loop_record_energy(Loop *l, Moment *m, const Side *before, const Side *afte
     m->work = l->work;
     l->now = stored - m->work;
     if (l->history) {
-        reactions_measure(&l->reactions, &l->plan->scene, l->plan->solver, l->self, loop_kick(l),
-                          m->wall);
+        probe_reactions(&l->reactions, &l->plan->scene, l->plan->solver, l->self, loop_kick(l),
+                        m->wall);
     }
     if (l->instants++ == 0) l->start = l->now;
     l->largest = larger(l->largest, stored);

@@ -60,7 +60,7 @@ static int nearest_id(const Points *p, const double X[3])
     return id;
 }
 
-void probes_find(Probes *p, const RunSpec *spec, const Solver *solver, const void *self)
+void probe_find(Probes *p, const RunSpec *spec, const Solver *solver, const void *self)
 {
     Points points;
     Samples samples;
@@ -70,7 +70,7 @@ void probes_find(Probes *p, const RunSpec *spec, const Solver *solver, const voi
     for (int k = 0; k < p->n; k++) p->id[k] = nearest_id(&points, spec->probe[k].X);
 }
 
-void probes_free(Probes *p)
+void probe_free(Probes *p)
 {
     free(p->fields);
 }
@@ -103,8 +103,8 @@ static bool make_room(Probes *p, int slots)
     return true;
 }
 
-void probes_measure(Probes *p, const Scene *scene, const Solver *solver, const void *self,
-                    double out[][PROBE_COLUMNS])
+void probe_measure(Probes *p, const Scene *scene, const Solver *solver, const void *self,
+                   double out[][PROBE_COLUMNS])
 {
     Points points;
     Samples samples;
@@ -125,8 +125,8 @@ static bool acts_along(const Wall *w, int axis)
     return w->mirror ? w->axis == axis : w->hold >> axis & 1;
 }
 
-void reactions_measure(Reactions *r, const Scene *scene, const Solver *solver, const void *self,
-                       double dt, double out[][3])
+void probe_reactions(Reactions *r, const Scene *scene, const Solver *solver, const void *self,
+                     double dt, double out[][3])
 {
     Vec all, outside;
     solver->impulse(self, all);

@@ -23,17 +23,17 @@ int probe_check(const RunSpec *spec, const Scene *scene, Fault *fault);
 
 /* Finds the point whose reference position is nearest to each probe, the lowest id of equally near
  * ones (to 1e-9 of their distance to the probe); call before the first step. */
-void probes_find(Probes *p, const RunSpec *spec, const Solver *solver, const void *self);
+void probe_find(Probes *p, const RunSpec *spec, const Solver *solver, const void *self);
 
 /* u = x - X and Cauchy stress of each probe's point. */
-void probes_measure(Probes *p, const Scene *scene, const Solver *solver, const void *self,
-                    double out[][PROBE_COLUMNS]);
-void probes_free(Probes *p);
+void probe_measure(Probes *p, const Scene *scene, const Solver *solver, const void *self,
+                   double out[][PROBE_COLUMNS]);
+void probe_free(Probes *p);
 
 /* Force [N] of each wall on the body over the last dt [s]: what the momentum balance leaves after
  * the body forces. 0 along axes that the wall leaves free. NAN along an axis on which several walls
  * act, because the balance knows their sum only. */
-void reactions_measure(Reactions *r, const Scene *scene, const Solver *solver, const void *self,
-                       double dt, double out[][3]);
+void probe_reactions(Reactions *r, const Scene *scene, const Solver *solver, const void *self,
+                     double dt, double out[][3]);
 
 #endif

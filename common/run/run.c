@@ -193,7 +193,7 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
         pace_choose(l);
         if (!loop_fit_scratch(l) || !loop_open(l))
             return fault_set(fault, FAULT_MACHINE, "out of memory");
-        probes_find(&l->probes, spec, l->plan->solver, l->self);
+        probe_find(&l->probes, spec, l->plan->solver, l->self);
         if (spec->errors && isnan(errors_now(l, 0).linf)) return plan_no_exact_motion(spec, fault);
         run_steps(l);
         shoot(l, steps_moved(l), true);
@@ -249,7 +249,7 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     if (l.undo.f) fclose(l.undo.f);
     norm_scratch_free(&l.scratch);
     loop_close(&l);
-    probes_free(&l.probes);
+    probe_free(&l.probes);
     snapshot_free(&l.shots);
     if (l.history && code) file_abandon(l.history, spec->history);
     if (l.history && !code) code = file_commit(l.history, spec->history, fault);

@@ -1,12 +1,13 @@
 # Hand-over from WLS2 to GIMP: the largest error against time, for the ring and the vortex.
 tall = 0.8
 load plots.'/style.gp'
-set multiplot layout 1,2 margins 0.09,0.985,0.2,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.115,0.985,0.2,0.9 spacing 0.125
 part(p) = dir.'/'.name.'.'.p.'.csv'
 set logscale y
 set format y '10^{%T}'
 set key right bottom samplen 2
 set xlabel 'time t [s]'
+set yrange [1e-5:1]
 set ylabel 'error at that time [m]'
 set label 1 heading('(a) ring') at graph 0, graph 1.05
 plot part('ring_wls2') using 't':'error_linf' with lines ls style('wls2') title 'WLS2', \

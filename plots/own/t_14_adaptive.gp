@@ -15,7 +15,7 @@ plot for [m in 'gimp wls2 fem'] file('disk_impact', m) \
   with lines ls style(m) title label(m)
 set label 1 heading('(b) disk: total energy, adaptive steps')
 set ylabel 'energy / E_0'
-set yrange [0.9:1.02]
+set yrange [0.92:1.04]
 plot for [m in 'gimp wls2 fem'] file('disk_impact', m) \
   using 't':(first = column(0) == 0 ? column('total') : first, column('total')/first) \
   with lines ls style(m) title label(m)
