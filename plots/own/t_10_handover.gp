@@ -5,7 +5,7 @@ set multiplot layout 1,2 margins 0.115,0.985,0.2,0.9 spacing 0.125
 part(p) = dir.'/'.name.'.'.p.'.csv'
 set logscale y
 set format y '10^{%T}'
-set key right bottom samplen 2
+set key right bottom samplen 1
 set xlabel 'time t [s]'
 set yrange [1e-5:1]
 set ylabel 'error at that time [m]'
