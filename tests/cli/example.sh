@@ -17,7 +17,7 @@ unchanged() { # TEXT ARGUMENT...: one line with the text in it, status 2, nothin
     ok "new-method $*: writes nothing" test "$before" = "$(find methods -type f -exec cksum {} + | cksum)"
 }
 compile() { # [TARGET]
-    make -s -j"$(nproc)" OPT='-O2 -march=native -Wno-maybe-uninitialized' "${1:-all}" >log 2>&1 ||
+    make -s -j"$(nproc)" OPT='-O1 -march=native -Wno-maybe-uninitialized' "${1:-all}" >log 2>&1 ||
         { head -n 20 log >&2; false; }
 }
 invariants() { # DIM: the tests of the core, which find it in the list of methods

@@ -28,7 +28,7 @@ export CCACHE_DIR=${CCACHE_DIR:-$folder/ccache} CCACHE_NOHASHDIR=1
 cc=gcc && command -v ccache >/dev/null && cc='ccache gcc'
 
 build() { # TREE, how many jobs, programs: without caring for speed, debuggers or warnings
-    CCACHE_BASEDIR=$1 make -s -C "$1" -j"$2" CC="$cc" OPT='-O2 -g0 -march=native' WARN=-w \
+    CCACHE_BASEDIR=$1 make -s -C "$1" -j"$2" CC="$cc" OPT='-O1 -g0 -march=native' WARN=-w \
         "${@:3}" >"$1.log" 2>&1
 }
 run() { # TREE, program or program:part of "suite: test"
