@@ -36,6 +36,7 @@ static void stash_numbers(Loop *l, Stash *s)
     STASH(s, l->speed);
     STASH(s, l->earlier);
     STASH(s, l->given);
+    STASH(s, l->taken_at);
     STASH(s, l->reactions);
 }
 

@@ -29,6 +29,7 @@ typedef struct Loop {
     void *self;
     Handover handover; /* AT_NEVER: none, */
     long taken_over;   /*   steps done before it; -1: not yet */
+    double taken_at;   /* [s] then */
     Counts earlier;    /*   what the first method has counted, */
     Vec given;         /*   and the impulse that it got [kg m/s] */
     Stash undo;        /* AT_INVERTED: the particles before the step under way */

@@ -50,6 +50,8 @@ bool relay_take_over(Loop *l, Side *before)
     solver->impulse(l->self, impulse);
     for (int d = 0; d < DIM; d++) l->given[d] += impulse[d];
     l->taken_over = l->done;
+    l->taken_at = l->t;
+    l->reactions = (Reactions){{0}}; /* what the second method's walls give starts at nothing */
     if (!change_to(l, next)) return false;
     *before = loop_measure_side(l);
     return true;

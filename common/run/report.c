@@ -39,7 +39,7 @@ static void say_handover(const Loop *l, Row *row)
     const char *then = l->handover.plan.method->name, *after = n ? "; " : "";
     if (l->taken_over >= 0)
         snprintf(row->reason + n, sizeof row->reason - n, "%s%s from step %ld t=%.6g on", after,
-                 then, l->taken_over + 1, (double)l->taken_over * l->dt);
+                 then, l->taken_over + 1, l->taken_at);
     else
         snprintf(row->reason + n, sizeof row->reason - n, "%snever handed over to %s", after, then);
 }

@@ -189,6 +189,11 @@ cp out then.csv
 ok "--then: the row: $(cat err)" test "$status" -eq 0 -a "$(tail -n 1 out | cut -d, -f2)" = wls2
 ok "--then: its parameters" grep -qE ';at=0.01;.*;then=gimp;then_domain=undeformed;' out
 ok "--then: when it was" grep -q 'gimp from step 28 t=0.01' out
+run run ring --cells 16 --method wls2 --then gimp --at .005 --set dt=adaptive --history walls.csv
+ok "--then: when it was, in adaptive steps" grep -q 'gimp from step 41 t=0.0051' out
+ok "--then: walls push on as before" awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k == "wall1_fx") w = k }
+    NR > 2 && NR > 40 && NR < 44 { d = $w - last; if (d < 0) d = -d; if (d > 100) bad = 1; n++ } { last = $w }
+    END { exit bad || n != 3 }' walls.csv
 run run ring --cells 8 --method wls2 --set then_domain=undeformed --set then=gimp --set at=0.01
 ok "--then: by its parameters again" cmp -s <(timeless out) <(timeless then.csv)
 run $words --threads 2
