@@ -26,6 +26,9 @@ typedef struct Info {
     bool on_request; /* studies of all methods leave it out, unless --method names it */
 } Info;
 
+/* The parameter of a list (or NULL) by that name, or NULL. */
+const Param *info_param_find(const Param *list, const char *name);
+
 /* Reads text as a value of p: a number within its range, or one of its words. Returns 0, or -1 with
  * a description of what it takes in takes[128]. */
 int info_param_parse(const Param *p, const char *text, double *value, char takes[128]);

@@ -91,7 +91,7 @@ static bool fields_alloc(Sim *sim)
 static bool particles_alloc(Sim *sim)
 {
     Particles *p = &sim->p;
-    const int blocks = sim->g.n[AXIS_LAST] / BLOCK_ROWS + 2;
+    const int blocks = grid_most_blocks(&sim->g);
     p->room = (p->count + blocks * CHUNK + CHUNK - 1) / CHUNK * CHUNK;
     const size_t room = (size_t)p->room;
     bool ok = (sim->block = calloc((size_t)blocks, sizeof(Block))) != NULL;

@@ -82,6 +82,12 @@ typedef struct Grid {
 
 enum { BLOCK_ROWS = 8 };
 
+/* Most blocks that an order of particles may have. */
+static inline int grid_most_blocks(const Grid *g)
+{
+    return g->n[AXIS_LAST] / BLOCK_ROWS + 2;
+}
+
 typedef struct Sim {
     const Setup *setup;
     Method method; /* the run's own copy */

@@ -8,7 +8,7 @@ static void stash_order(Sim *sim, Stash *s)
     Grid *g = &sim->g;
     STASH(s, sim->nblock);
     STASH(s, sim->block_rows);
-    const bool fits = sim->nblock >= 0 && sim->nblock <= sim->g.n[DIM - 1] / 8 + 2;
+    const bool fits = sim->nblock >= 0 && sim->nblock <= grid_most_blocks(g);
     s->bad = s->bad || !fits;
     if (s->bad) return;
     stash_bytes(s, sim->block, sizeof *sim->block * (size_t)sim->nblock);

@@ -13,13 +13,6 @@ bool handover_is_setting(const char *name)
     return !strcmp(name, "then") || !strcmp(name, "at") || !strncmp(name, prefix, PREFIX);
 }
 
-static bool is_param(const Param *p, const char *name)
-{
-    for (; p && p->name; p++)
-        if (strcmp(p->name, name) == 0) return true;
-    return false;
-}
-
 /* Run settings that the second method may have of its own. */
 static const int own[] = {P_DOMAIN, P_STRAIN, P_SUBCYCLES, P_REFRESH, P_ALLOW};
 enum { OWN = sizeof own / sizeof *own };
@@ -36,13 +29,6 @@ static int check_name(const char *name, const Info *method, Fault *fault)
                      "--then-set %s: got '%s', takes a parameter of %s, domain, strain_update, "
                      "subcycles, refresh or allow_unstable; did you mean '%s'?",
                      name, name, method->name, fault_nearest_name(name, names, n));
-}
-
-static const Info *info_of(const char *method)
-{
-    for (const Info *const *m = method_infos; *m; m++)
-        if (strcmp((*m)->name, method) == 0) return *m;
-    return NULL;
 }
 
 static const Method *plugin_of(const char *method)
@@ -69,7 +55,8 @@ static bool is_inherited(const char *name, const Plan *first, const Method *meth
     if (strcmp(name, settings_common[P_DOMAIN].name) == 0)
         return settings_act_on_method(P_DOMAIN, method);
     return strcmp(name, settings_common[P_LAYOUT].name) != 0 &&
-           (is_param(first->scene.problem->info.params, name) || is_param(settings_common, name));
+           (info_param_find(first->scene.problem->info.params, name) ||
+            info_param_find(settings_common, name));
 }
 
 /* The run as if the second method had it from its start. */
@@ -89,7 +76,7 @@ static int second_spec(const RunSpec *spec, const Plan *first, const char *then,
             const bool is_own = strncmp(s->name, prefix, PREFIX) == 0;
             const char *name = s->name + (is_own ? PREFIX : 0);
             if (is_own != own_ones || (!is_own && !is_inherited(name, first, method))) continue;
-            if (is_own && check_name(name, info_of(then), fault)) return FAULT_USAGE;
+            if (is_own && check_name(name, &method->info, fault)) return FAULT_USAGE;
             snprintf(pair, sizeof pair, "%.31s=%.31s", name, s->value);
             if (spec_set(out, pair, fault)) return FAULT_USAGE;
         }

@@ -13,13 +13,6 @@ static int param_count(const Param *p)
     return n;
 }
 
-static const Param *param_find(const Param *p, const char *name)
-{
-    for (; p && p->name; p++)
-        if (strcmp(p->name, name) == 0) return p;
-    return NULL;
-}
-
 static int whole(const char *name, double value, Fault *fault)
 {
     if (value == floor(value)) return 0;
@@ -48,7 +41,7 @@ static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
     int n = 0;
     if (handover_is_setting(name)) return 0;
     for (int l = 0; l < 3; l++) {
-        if (param_find(lists[l], name)) return 0;
+        if (info_param_find(lists[l], name)) return 0;
         for (int k = 0; k < param_count(lists[l]); k++) names[n++] = lists[l][k].name;
     }
     return fault_set(
@@ -148,7 +141,7 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
     int n = 0; /* drops run settings that equal their default or are stored in another field; keeps
                 * `dim`, because without it the command would select another run */
     for (int k = 0; k < spec->nset; k++) {
-        const Param *p = param_find(settings_common, spec->set[k].name);
+        const Param *p = info_param_find(settings_common, spec->set[k].name);
         double value = 0;
         char takes[128];
         const bool read = p && !info_param_parse(p, spec->set[k].value, &value, takes);

@@ -13,8 +13,8 @@ static void say_status(const Loop *l, Row *row)
     if (grew)
         snprintf(row->reason, sizeof row->reason,
                  "step %ld t=%.6g energy 5 %% above its start; fastest %s %d v=%.6g",
-                 l->growth_step, l->plan->adaptive ? l->growth_t : (double)l->growth_step * l->dt,
-                 l->plan->setup.method ? "particle" : "node", l->fastest, l->speed);
+                 l->growth_step, l->growth_t, l->plan->setup.method ? "particle" : "node",
+                 l->fastest, l->speed);
     else if (l->status.code == EMPTY)
         strcpy(row->reason, l->status.point < 0
                                 ? "no particle lies inside the body"

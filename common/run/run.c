@@ -152,8 +152,7 @@ static int write_errors_now(const char *path, Loop *l, Fault *fault)
 {
     Points p;
     Samples q;
-    const double t = l->plan->adaptive ? l->t + (steps_moved(l) > l->done ? l->dt : 0)
-                                       : (double)steps_moved(l) * l->dt;
+    const double t = steps_moved(l) > l->done ? pace_end_of_step(l) : l->t;
     l->plan->solver->view(l->self, &p, &q);
     return output_errors(path, &l->plan->scene, &p, t, &l->scratch, fault);
 }

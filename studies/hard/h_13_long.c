@@ -33,9 +33,8 @@ static const char *part_name(int scene, const char *method, int variant)
 /* Does it return through splines, as it comes or by this variant? */
 static bool is_spline(const Info *method, int variant)
 {
-    for (const Param *p = method->params; p && p->name; p++)
-        if (strcmp(p->name, "return") == 0) return variant > 0 || p->value > 0;
-    return false;
+    const Param *p = info_param_find(method->params, "return");
+    return p && (variant > 0 || p->value > 0);
 }
 
 /* Not a second time what the method does as it comes. */

@@ -49,9 +49,7 @@ bool engine_has_grid(const Engine *engine, const char *method)
 
 bool engine_takes(const Info *info, const char *param)
 {
-    for (const Param *p = info->params; p && p->name; p++)
-        if (strcmp(p->name, param) == 0) return true;
-    return false;
+    return info_param_find(info->params, param) != NULL;
 }
 
 static int gather(const Info *const *list, const char *names[], int n, int max)
