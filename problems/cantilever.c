@@ -75,17 +75,9 @@ static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
     }
 }
 
-/* The end face in equal squares, at most `spacing` wide. */
 static void surface(const Scene *s, double spacing, Layout *out)
 {
-    const int n = (int)ceil(height / spacing - 1e-9), rows = DIM > 2 ? n : 1;
-    const Vec normal = {1};
-    (void)s;
-    for (int k = 0; k < n * rows; k++) {
-        Vec X = {length, (k % n + 0.5) * height / n};
-        if (DIM > 2) X[DIM - 1] = (k / n + 0.5) * height / n;
-        layout_add(out, X, height / n * (DIM > 2 ? height / n : 1), normal);
-    }
+    layout_add_face(out, s, 0, 1, spacing, true);
 }
 
 static void traction(const Scene *s, int n, ConstFields X, ConstFields N, double t, Fields out)

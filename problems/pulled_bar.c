@@ -61,17 +61,9 @@ static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
     }
 }
 
-/* The end face in equal parts, at most `spacing` wide. */
 static void surface(const Scene *s, double spacing, Layout *out)
 {
-    const double width = DIM > 1 ? s->body_hi[DIM - 1] - s->body_lo[DIM - 1] : 1;
-    const int n = DIM > 1 ? (int)ceil(width / spacing - 1e-9) : 1;
-    const Vec normal = {1};
-    for (int k = 0; k < n; k++) {
-        Vec X = {length};
-        if (DIM > 1) X[DIM - 1] = s->body_lo[DIM - 1] + (k + 0.5) * width / n;
-        layout_add(out, X, width / n, normal);
-    }
+    layout_add_face(out, s, 0, 1, spacing, true);
 }
 
 static void traction(const Scene *s, int n, ConstFields X, ConstFields N, double t, Fields out)

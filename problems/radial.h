@@ -29,7 +29,15 @@ enum { RADIAL_C1, RADIAL_C2, RADIAL_C3, RADIAL_OMEGA }; /* s->k */
 
 static const double radial_inner = 0.5, radial_outer = 1; /* [m] */
 
-/* Material, times and eq 37's coefficients, or those that need s->traction, which is set before. */
+/* The last parameter of both scenes. */
+#define RADIAL_TRACTION                                                                            \
+    {                                                                                              \
+        "traction", 0, 0, 1, "", "1: other c2, c3, so that both radii bear a known traction",      \
+            "W11 eq 3", "0|1"                                                                      \
+    }
+
+/* Material, times and coefficients: eq 37's, whose radii are free, or where s->traction was set
+ * others, whose radii bear a traction. */
 static inline void radial_init(Scene *s)
 {
     const double D = radial_outer - 3 * radial_inner, outer2 = radial_outer * radial_outer;

@@ -15,8 +15,7 @@ static const Param params[] = {
     {"offset_x", 0, -1, 1, "h", "full: centre of the ring off the grid line x = 0", "", NULL},
     {"offset_y", 0, -1, 1, "h", "full: centre of the ring off the grid line y = 0", "", NULL},
     {"angle", 0, -360, 360, "deg", "full: turn of body-fitted points or mesh", "", NULL},
-    {"traction", 0, 0, 1, "", "1: other c2, c3, so that both radii bear a known traction",
-     "W11 eq 3", "0|1"},
+    RADIAL_TRACTION,
     {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 /* Symmetry planes on both sides of two cells along the ring's axis. */

@@ -18,8 +18,7 @@ static const Param params[] = {
     {"offset_z", 0, -1, 1, "h", "full: centre of the shell off the grid plane z = 0", "", NULL},
     {"angle", 0, -360, 360, "deg",
      "full: turn of body-fitted points or mesh about the axis (1, 2, 3)", "", NULL},
-    {"traction", 0, 0, 1, "", "1: other c2, c3, so that both radii bear a known traction",
-     "W11 eq 3", "0|1"},
+    RADIAL_TRACTION,
     {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 static int init(Scene *s, char why[128])
