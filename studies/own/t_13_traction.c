@@ -67,13 +67,11 @@ static void check_bar(Check *c, const Table *t)
         const char *method, *label;
     } judged[] = {{"gimp", "GIMP"}, {"ge_gimp", "GE-GIMP"}, {"wls2", "WLS2"}, {"ge_wls", "GE-WLS"}};
     for (size_t m = 0; m < sizeof judged / sizeof *judged; m++) {
-        char id[64], statement[160];
         const Curve e = bar_errors(t, judged[m].method);
-        snprintf(id, sizeof id, "T-13.bar-%s", judged[m].method);
-        snprintf(statement, sizeof statement,
-                 "%s: largest error of the pulled bar at h = 1/80 over its final elongation",
-                 judged[m].label);
-        claim(c, id, statement, curve_at(&e, 80), 0, 2e-3);
+        claim(c, phrase("T-13.bar-%s", judged[m].method),
+              phrase("%s: largest error of the pulled bar at h = 1/80 over its final elongation",
+                     judged[m].label),
+              curve_at(&e, 80), 0, 2e-3);
     }
     const Curve gimp = bar_errors(t, "gimp");
     claim(c, "T-13.bar-order", "GIMP is of first order or better on the pulled bar",
@@ -95,13 +93,10 @@ static void check(Check *c, const Results *r)
           "GIMP on lattice particles: largest error at N = 32 with traction over that without",
           ring_ratio(t, "gimp"), 1, 3);
     check_bar(c, t);
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
-        char name[64];
-        for (int traction = 0; traction < 2; traction++) {
-            snprintf(name, sizeof name, "%s_%s", traction ? "loaded" : "free", (*m)->name);
-            claim_note(c, name, ring_order(t, (*m)->name, traction).value);
-        }
-    }
+    for (const Info *const *m = engine_2d.methods; *m; m++)
+        for (int traction = 0; traction < 2; traction++)
+            claim_note(c, phrase("%s_%s", traction ? "loaded" : "free", (*m)->name),
+                       ring_order(t, (*m)->name, traction).value);
 }
 
 const Study study_t_13_traction = {
