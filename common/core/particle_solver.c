@@ -119,7 +119,8 @@ static void core_impulse(const void *self, Vec out)
 
 static double core_work(const void *self)
 {
-    return skin_work(((const Core *)self)->sim->skin);
+    const Sim *sim = ((const Core *)self)->sim;
+    return skin_work(sim->skin) + sim->driven;
 }
 
 static void core_outside(const void *self, Vec out)

@@ -150,6 +150,7 @@ Status sim_step(Sim *sim, double t, double dt, bool first)
     sim->moved = false;
     if (sim->status.code == OK) sort_if_due(sim);
     if (sim->status.code == OK) impose_motion(sim, t);
+    mirror_move_walls(sim, t);
     if (sim->status.code == OK) sim->status = take_passes(sim, t, dt, first);
     return sim->status;
 }

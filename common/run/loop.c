@@ -165,5 +165,5 @@ void loop_record_work(Loop *l, double t)
                             ledger_work(scene, &p, from, t + l->dt, &l->scratch));
         keep_positions(l, &p);
     }
-    l->work = l->bodies + (scene->traction ? l->plan->solver->work(l->self) : 0);
+    l->work = l->bodies + l->plan->solver->work(l->self);
 }

@@ -14,6 +14,7 @@ typedef struct Plan {
     const Solver *solver;
     const Info *method; /* info of the method or solver */
     double problem_par[MAX_PARAMS], method_par[MAX_PARAMS];
+    char text[SETTING_TEXT]; /* the problem's parameter that is the name of a file */
     double cfl, t_end;
     long steps;       /* stop after so many; 0: no limit */
     bool adaptive;    /* the step is chosen anew every time, W11 eq 34 */

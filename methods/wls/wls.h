@@ -199,6 +199,9 @@ void wls_hold_back(const Sim *sim, size_t at, const int index[DIM], double dt, d
 /* Components that a wall holds or a symmetry line cancels at node i of a row; internal and body
  * force of a node. */
 unsigned wls_held(const Grid *g, int row, int i);
+
+/* Velocity along axis a of a node that a moving wall holds; 0 of one that none does. */
+double wls_drive(const Grid *g, int row, int i, int a);
 double wls_whole_force(const Grid *g, size_t at, int a);
 
 /* After a node's internal force was changed from that of the line `before`: the ledger has booked
