@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include "fault.h"
 
-/* Text cells, row-major, which lie in the text of the file. Cells may be quoted there (RFC 4180). */
+/* Text cells, row-major, which lie in the text of the file. Cells may be quoted there (RFC 4180).
+ */
 typedef struct Table {
     int ncol, nrow;
     char **name; /* [ncol] */
