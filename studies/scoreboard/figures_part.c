@@ -130,7 +130,8 @@ static void fact(FILE *f, const char *name, const char *value)
 
 static void sidecar(const Page *page, const char *name)
 {
-    static const char *const facts[] = {"version", "compiler", "flags", "sources", "checksum"};
+    static const char *const facts[] = {"version",   "compiler", "flags",
+                                        "processor", "sources",  "checksum"};
     const char *path = phrase("%s/%s.json", page->dir, name);
     json_t *json = json_load_file(path, 0, NULL), *dt = json_object_get(json, "dt");
     if (!json) return;
