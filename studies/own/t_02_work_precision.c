@@ -172,12 +172,12 @@ static void check(Check *c, const Results *r)
     const Table *t = results_part(r, "reach");
     const Reach bar = {t, "sine_bar", "0.001"}, ring = {t, "ring", "0.001"};
     claim(c, "T-2.bar-ge-steps",
-          "sine bar to 1e-3: particle-steps of GIMP over GE-GIMP's, each at its best",
+          "Sine bar to 1e-3: particle-steps of GIMP over GE-GIMP's, each at its best",
           ratio(&bar, "gimp", "ge_gimp", "work"), 1.2, 3);
     claim(c, "T-2.bar-ge-time",
-          "sine bar to 1e-3: CPU time of GIMP over GE-GIMP's, each at its best",
+          "Sine bar to 1e-3: CPU time of GIMP over GE-GIMP's, each at its best",
           ratio(&bar, "gimp", "ge_gimp", "seconds"), 1, 4);
-    claim(c, "T-2.ring-fem", "ring to 1e-3: CPU time of GIMP at its best over FEM's",
+    claim(c, "T-2.ring-fem", "Ring to 1e-3: CPU time of GIMP at its best over FEM's",
           ratio(&ring, "gimp", "fem", "seconds"), 3, 100);
 }
 
