@@ -162,7 +162,7 @@ static void points(FILE *f, const Case *c)
     /* as many as FEM has elements: hole.h */
     const int quads = (int)ceil(0.6 * c->spec.cells - 1e-9) * 2 *
                       (int)ceil(M_PI / 4 * 0.7 * c->spec.cells - 1e-9);
-    const bool reference = samples && is(c, "hole_plate") && is_fem(c) && c->spec.cells > 200;
+    const bool reference = samples && is(c, "hole_plate") && is_fem(c) && c->spec.cells > 100;
     for (; reference && n < 2 * quads; n++) point(f, c, 0.7, 0.7);
 }
 
