@@ -24,7 +24,7 @@ set format y '%h'
 set xrange [-0.2:2.2]
 set yrange [-0.01:0.27]
 set xtics auto
-set xlabel 'way of a circle of radius 4 along the diagonal [cells]'
+set xlabel 'way along the diagonal [cells]'
 set ylabel 'integral of x y over the cell'
 set label 1 heading('(b) circle sliding through a cell')
 plot for [k = 1:4] dir.'/'.name.'.slide.csv' using 'way':word(rules, k) with lines lc rgb colour(k) lw (k == 2 ? 1 : 1.6)
