@@ -16,13 +16,33 @@ static const char dir[] = "scratch/trial";
 
 /* Lists of claims; what ends in a point stands for all that begin so. Of formulas: no run needed.
  */
-static const char *const formulas[] = {
-    "W07-2.",         "W11-2.masks",    "W11-2.smooth",      "W11-3.circular",
-    "H-5.tent-omega", "H-5.gimp-omega", "H-5.bspline-omega", NULL};
+static const char *const formulas[] = {"W07-2.",
+                                       "W11-2.masks",
+                                       "W11-2.smooth",
+                                       "W11-3.circular",
+                                       "H-5.tent-omega",
+                                       "H-5.gimp-omega",
+                                       "H-5.bspline-omega",
+                                       "T-15.jump-centroid",
+                                       "T-15.jump-exact",
+                                       "T-15.jump-gauss16",
+                                       "T-15.jump-samples16",
+                                       "T-16.exact",
+                                       "T-16.cells-mpm",
+                                       "T-16.sizes-mpm",
+                                       "T-16.order-mpm",
+                                       "T-16.cells-gimp",
+                                       "T-16.sizes-gimp",
+                                       "T-16.order-gimp",
+                                       "T-16.order-ge_gimp",
+                                       "T-16.order-wls",
+                                       "T-16.program",
+                                       NULL};
 /* Formulas that are in no table either. */
 static const char *const no_table[] = {"W11-2.masks", "W11-2.smooth", "W11-3.circular", NULL};
 /* That no run is lost (or what one is worth that is): one that is must tell. */
-static const char *const none_lost[] = {"W07-12.gimp-lost",
+static const char *const none_lost[] = {"T-12.wls2",
+                                        "W07-12.gimp-lost",
                                         "W07-12.ge-gimp-lost",
                                         "W11-6.cell-size",
                                         "W11-10.whole",
@@ -46,7 +66,11 @@ static const char *const none_lost[] = {"W07-12.gimp-lost",
                                         NULL};
 /* That some runs are lost, or where that begins; or the best of many runs, or of those not lost,
  * of which there must be so many. */
-static const char *const some_lost[] = {"T-10.vortex-wls2",
+static const char *const some_lost[] = {"T-12.determinant",
+                                        "T-12.count",
+                                        "T-12.low",
+                                        "T-12.usual",
+                                        "T-10.vortex-wls2",
                                         "T-10.bar",
                                         "W07-12.mpm-lost-2",
                                         "W07-12.mpm-lost-5",
