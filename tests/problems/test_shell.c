@@ -3,10 +3,12 @@
 #include <stdlib.h>
 #include "balance.h"
 #include "common/contract/sphere.h"
+#include "tests/fixture.h"
 
 extern const Problem problem_shell, problem_ring, problem_axis_mms, problem_cavity;
 
 static const double octant[] = {0.1, 0, 0, 0, 0, 0, 0}, moved[] = {0.1, 1, 0.3, -0.2, 0.4, 25, 0};
+static const double loaded[] = {0.1, 0, 0, 0, 0, 0, 1}, loaded_ring[] = {0.1, 0, 0, 0, 0, 1};
 static const double turned_ring[] = {0.1, 1, 0.3, -0.2, 0, 0}, waves[] = {0.05, 1e4, 0.3, 2};
 
 static Scene scene_of(const Problem *problem, const double *par)
@@ -56,6 +58,8 @@ static void test_balance(void)
     check_balance(&problem_shell, octant);
     check_balance(&problem_shell, moved);
     check_balance(&problem_ring, turned_ring);
+    check_balance(&problem_shell, loaded);
+    check_balance(&problem_ring, loaded_ring);
     check_balance(&problem_axis_mms, waves);
 }
 
@@ -201,10 +205,39 @@ static void test_cavity(void)
     layout_free(&out);
 }
 
+/* Points of the loaded surfaces have their areas; runs under traction follow the exact motion as
+ * closely as free ones, and the work of the traction is in the ledger. */
+static void test_loaded(void)
+{
+    static const char *const judged[] = {"gimp", "wls2", "fem"};
+    const double areas[] = {4 * M_PI / 8 * (0.25 + 1), M_PI / 2 * (0.5 + 1) * 0.25};
+    for (int ring = 0; ring < 2; ring++) {
+        const Scene s =
+            scene_of(ring ? &problem_ring : &problem_shell, ring ? loaded_ring : loaded);
+        Layout out = {0};
+        double area = 0;
+        s.problem->surface(&s, 1.0 / 16, &out);
+        for (int k = 0; k < out.n; k++) area += out.volume[k];
+        CHECK_CLOSE(area, areas[ring], 1e-12);
+        layout_free(&out);
+        for (int m = 0; m < 3; m++) {
+            const Case c = {3, ring ? "ring" : "shell", 8, 8, 0, "dim=3;traction=1"};
+            RunSpec spec = rig_spec(&c, judged[m], NULL, NULL);
+            Row row;
+            spec.t_end = 0.004;
+            CU_ASSERT_FATAL(run_spec(&spec, &row, NULL) == 0);
+            CHECK_TEXT(row.status, "ok");
+            CU_ASSERT(row.error_linf < (m ? 0.004 : 0.006));
+            CHECK_CLOSE(row.energy_drift, 0, m ? 0.003 : 0.016);
+        }
+    }
+}
+
 static const TestCase tests[] = {
     {"body forces balance the exact motion (finite differences)", test_balance},
     {"starts from the exact state", test_start},
     {"no traction on the surfaces of the shell", test_traction},
+    {"traction on shell and ring", test_loaded},
     {"points on spheres fill the shell", test_spheres},
     {"points on spheres are the same after an exchange of axes", test_exchange},
     {"a turn about an axis", test_turn},
