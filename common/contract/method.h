@@ -127,6 +127,10 @@ typedef struct Method {
     /* Shows the polygons that the last `assemble` integrated over, for output; or NULL. */
     void (*patches)(const struct Sim *sim, PatchVisit *visit, void *own);
 
+    /* Unit outward normal of the body's surface near a node, by the last `assemble`; false: no
+     * surface is near. Of methods that reconstruct one, for contact; or NULL. */
+    bool (*normal)(const struct Sim *sim, size_t node, double n[DIM]);
+
     /* Its workspace Sim.own, once a run (false: out of memory), of node_bytes a grid node; and how
      * it chooses its stages by parameter: `adapt` changes the run's own copy of this struct. */
     size_t node_bytes;

@@ -13,6 +13,7 @@ typedef struct Points {
     const int *id;                          /* [n] placement order */
     const double *X[DIM], *x[DIM], *v[DIM]; /* [m] [m] [m/s] reference, current, velocity */
     const double *m, *V0;                   /* [kg] [m^DIM] mass, reference volume */
+    int second; /* ids from here on belong to the second body; 0: there is one body */
 } Points;
 
 typedef struct Samples {

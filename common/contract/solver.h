@@ -22,6 +22,8 @@ typedef struct Setup {
     const Scene *scene;
     const Method *method;     /* NULL for FEM */
     const double *method_par; /* values in the order of the method's params */
+    const Method *method_b;   /* of the second body, with its parameters; NULL: the same */
+    const double *method_b_par;
     Integrator integrator;
     int cells; /* per unit length; h = 1/cells */
     double ppc;
@@ -71,6 +73,9 @@ typedef struct Solver {
 
     /* Momentum [kg m/s] that body forces and boundary conditions have given since the start. */
     void (*impulse)(const void *self, Vec out);
+
+    /* [J] Work of friction between bodies since the start, <= 0; NULL: there is none. */
+    double (*friction)(const void *self);
 
     /* Shows every polygon of the mesh or of the grid's cells as the last step had them; NULL: none.
      * `elements`: they carry strain, in a fixed order. */

@@ -108,6 +108,11 @@ static void sort_if_due(Sim *sim)
         sim_sort(sim);
 }
 
+static bool is_filtered(const Sim *sim, const Pass *pass)
+{
+    return sim->method.filter && (pass->force || !sim->method.filter_first);
+}
+
 static void impose_motion(Sim *sim, double t)
 {
     const Scene *scene = sim->setup->scene;
@@ -117,34 +122,61 @@ static void impose_motion(Sim *sim, double t)
                                p->field + AT_V);
 }
 
-static Status take_passes(Sim *sim, double t, double dt, bool first)
+static Status take_to_nodes(Sim *sim, const Pass *pass, double t, double dt, double scale)
 {
-    const Setup *s = sim->setup;
-    const double scale = first && integrators[s->integrator].half_first ? 0.5 : 1;
-    for (int k = 0; k < 2 && integrators[s->integrator].pass[k].used; k++) {
-        const Pass *pass = &integrators[s->integrator].pass[k];
-        const bool filter = sim->method.filter && (pass->force || !sim->method.filter_first);
-        deposit_all(sim, t, pass->force ? FORCES : MOTION);
-        if (filter) filter_open(sim);
-        solve_all(sim, dt, scale, pass->force);
-        if (sim->live == 0) return without_support(sim);
-        if (filter) filter_all(sim, dt, pass->force);
-        if (gather_all(sim, dt, pass->take | (s->refresh ? pass->fresh : 0))) {
-            const Status status = sim_check(sim);
-            if (status.code != OK) return status;
-        }
-        if (sim->half_now > sim->half_plan && k == 0 && integrators[s->integrator].pass[1].used)
-            sim_sort(sim);
+    deposit_all(sim, t, pass->force ? FORCES : MOTION);
+    if (is_filtered(sim, pass)) filter_open(sim);
+    solve_all(sim, dt, scale, pass->force);
+    return sim->live == 0 ? without_support(sim) : (Status){OK, -1, 0};
+}
+
+static Status take_to_particles(Sim *sim, const Pass *pass, double dt, bool last)
+{
+    if (is_filtered(sim, pass)) filter_all(sim, dt, pass->force);
+    if (gather_all(sim, dt, pass->take | (sim->setup->refresh ? pass->fresh : 0))) {
+        const Status status = sim_check(sim);
+        if (status.code != OK) return status;
     }
+    if (sim->half_now > sim->half_plan && !last) sim_sort(sim);
     return (Status){OK, -1, 0};
+}
+
+/* Status of the first body that went wrong; *culprit is its number. */
+static Status worst_of(Sim *const body[], int n, int *culprit)
+{
+    for (int b = 0; b < n; b++)
+        if (body[b]->status.code != OK) {
+            *culprit = b;
+            return body[b]->status;
+        }
+    return (Status){OK, -1, 0};
+}
+
+Status sim_step_bodies(Sim *const body[], int n, double t, double dt, bool first, Meet *meet,
+                       void *own, int *culprit)
+{
+    const Integrator integrator = body[0]->setup->integrator;
+    const double scale = first && integrators[integrator].half_first ? 0.5 : 1;
+    for (int b = 0; b < n; b++) {
+        if (body[b]->status.code == OK) sort_if_due(body[b]);
+        if (body[b]->status.code == OK) impose_motion(body[b], t);
+    }
+    for (int k = 0; k < 2 && integrators[integrator].pass[k].used; k++) {
+        const Pass *pass = &integrators[integrator].pass[k];
+        const bool last = k > 0 || !integrators[integrator].pass[1].used;
+        if (worst_of(body, n, culprit).code != OK) break;
+        for (int b = 0; b < n; b++) body[b]->status = take_to_nodes(body[b], pass, t, dt, scale);
+        if (worst_of(body, n, culprit).code != OK) break;
+        if (meet) meet(own, dt, pass->force);
+        for (int b = 0; b < n; b++) body[b]->status = take_to_particles(body[b], pass, dt, last);
+    }
+    return worst_of(body, n, culprit);
 }
 
 Status sim_step(Sim *sim, double t, double dt, bool first)
 {
-    if (sim->status.code == OK) sort_if_due(sim);
-    if (sim->status.code == OK) impose_motion(sim, t);
-    if (sim->status.code == OK) sim->status = take_passes(sim, t, dt, first);
-    return sim->status;
+    int culprit;
+    return sim_step_bodies(&sim, 1, t, dt, first, NULL, NULL, &culprit);
 }
 
 Status sim_project(Sim *sim)

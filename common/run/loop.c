@@ -147,6 +147,11 @@ void loop_record_work(Loop *l, double t)
     const double *const *from = (const double *const *)l->from;
     l->work += 0.5 * (ledger_work(scene, &p, from, t, &l->scratch) +
                       ledger_work(scene, &p, from, t + l->dt, &l->scratch));
+    if (l->plan->solver->friction) {
+        const double friction = l->plan->solver->friction(l->self);
+        l->work += friction - l->friction;
+        l->friction = friction;
+    }
     keep_positions(l, &p);
 }
 

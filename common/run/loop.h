@@ -37,6 +37,7 @@ typedef struct Loop {
     double noise;               /* [J] round-off of stored energy */
     long instants;              /* whose energy is recorded */
     double work;                /* [J] of body forces on the steps finished */
+    double friction;            /* [J] work of friction that `work` has */
     double *from[DIM];          /* [m] positions by id after the last finished step; owned */
     Vec p0;
     double drift, momentum; /* largest |p - p0 - impulse|, largest sum m |v| */

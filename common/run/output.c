@@ -69,7 +69,8 @@ static void state_line(FILE *out, const State *s, int k)
     number(out, s->energy[k], ",");
     const double in_space[] = {s->X[k][2], s->x[k][2], s->v[k][2], f[2], f[5],
                                f[6],       f[7],       f[8],       t[2], t[5]};
-    for (int c = 0; c < 10; c++) number(out, DIM > 2 ? in_space[c] : NAN, c < 9 ? "," : "\n");
+    for (int c = 0; c < 10; c++) number(out, DIM > 2 ? in_space[c] : NAN, ",");
+    fprintf(out, "%d\n", s->body[k]);
 }
 
 static int write_state(const char *path, const State *s, Fault *fault)
@@ -77,7 +78,7 @@ static int write_state(const char *path, const State *s, Fault *fault)
     FILE *out = file_begin(path, fault);
     if (!out) return FAULT_MACHINE;
     fputs("id,X,Y,x,y,vx,vy,Fxx,Fxy,Fyx,Fyy,sxx,syy,sxy,szz,von_mises,mass,surface,energy,"
-          "Z,z,vz,Fxz,Fyz,Fzx,Fzy,Fzz,sxz,syz\n",
+          "Z,z,vz,Fxz,Fyz,Fzx,Fzy,Fzz,sxz,syz,body\n",
           out);
     for (int k = 0; k < s->n; k++) state_line(out, s, k);
     return file_commit(out, path, fault);

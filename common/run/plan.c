@@ -43,10 +43,10 @@ static int read_params(const RunSpec *spec, const Param *params, double value[],
 static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
 {
     const Param *lists[] = {plan->scene.problem->info.params, plan->method->params,
-                            settings_common};
-    const char *names[3 * MAX_PARAMS];
+                            settings_common, plan->second ? plan->second->params : NULL};
+    const char *names[4 * MAX_PARAMS];
     int n = 0;
-    for (int l = 0; l < 3; l++) {
+    for (int l = 0; l < 4; l++) {
         if (param_find(lists[l], name)) return 0;
         for (int k = 0; k < param_count(lists[l]); k++) names[n++] = lists[l][k].name;
     }
@@ -65,36 +65,79 @@ static const Problem *find_problem(const char *name)
     return NULL;
 }
 
-/* Finds the method by name: a plug-in, or a mesh solver. */
-static int choose_method(RunSpec *spec, Plan *plan, Fault *fault)
+/* A method by name: a plug-in, or a mesh solver. */
+typedef struct Named {
+    const Method *method;
+    const Solver *solver;
+    const Info *info;
+} Named;
+
+static int find_method(const char *name, Named *out, Fault *fault)
 {
     const char *names[64];
     int n = 0;
-    if (!spec->method[0]) strcpy(spec->method, "gimp");
-    plan->solver = &particle_solver;
     for (const Method *const *m = methods; *m; m++) {
         names[n++] = (*m)->info.name;
-        if (strcmp((*m)->info.name, spec->method)) continue;
-        plan->setup.method = *m;
-        plan->method = &(*m)->info;
+        if (strcmp((*m)->info.name, name) == 0)
+            *out = (Named){*m, &particle_solver, &(*m)->info};
     }
     for (const Solver *const *s = solvers; *s; s++) {
         names[n++] = (*s)->info.name;
-        if (strcmp((*s)->info.name, spec->method)) continue;
-        plan->solver = *s;
-        plan->method = &(*s)->info;
+        if (strcmp((*s)->info.name, name) == 0) *out = (Named){NULL, *s, &(*s)->info};
     }
-    if (plan->method) return 0;
+    if (out->info) return 0;
     return fault_set(fault, FAULT_USAGE,
-                     "--method: got '%s', takes a method of %dD; did you mean '%s'?", spec->method,
-                     DIM, fault_nearest_name(spec->method, names, n));
+                     "--method: got '%s', takes a method of %dD; did you mean '%s'?", name, DIM,
+                     fault_nearest_name(name, names, n));
+}
+
+/* One method, or A+B in a scene with two bodies. */
+static int choose_method(RunSpec *spec, Plan *plan, Fault *fault)
+{
+    if (!spec->method[0]) strcpy(spec->method, "gimp");
+    const char *plus = strchr(spec->method, '+');
+    char first[sizeof spec->method];
+    Named a = {0}, b = {0};
+    snprintf(first, sizeof first, "%.*s", plus ? (int)(plus - spec->method) : 31, spec->method);
+    if (find_method(first, &a, fault) || (plus && find_method(plus + 1, &b, fault)))
+        return FAULT_USAGE;
+    const bool two = plan->scene.problem->part, mesh = !a.method || (plus && !b.method);
+    if (plus && !two)
+        return fault_set(fault, FAULT_USAGE,
+                         "--method: got '%s', takes one method in %s, which has one body",
+                         spec->method, spec->problem);
+    if (two && mesh)
+        return fault_set(fault, FAULT_USAGE,
+                         "--method: got '%s', takes a method with a grid in %s, whose two bodies "
+                         "meet at grid nodes",
+                         spec->method, spec->problem);
+    if (a.info == b.info) strcpy(spec->method, first);
+    plan->solver = a.solver;
+    plan->method = a.info;
+    plan->setup.method = a.method;
+    if (!plus || a.info == b.info) return 0;
+    plan->second = b.info;
+    plan->setup.method_b = b.method;
+    return 0;
+}
+
+/* Length of the bodies along the first axis [m], without what lies between two. */
+static double body_length(const Scene *scene)
+{
+    double length = scene->body_hi[0] - scene->body_lo[0];
+    for (int b = 0; b < 2 && scene->problem->part; b++) {
+        Scene own = *scene;
+        scene->problem->part(&own, b);
+        length = (b ? length : 0) + own.body_hi[0] - own.body_lo[0];
+    }
+    return length;
 }
 
 /* 1D: a whole number of particles; 2D lattice: n^2 per cell; 3D: n^3 in any layout. */
 static int choose_ppc(RunSpec *spec, Plan *plan, const double run[], Fault *fault)
 {
     Setup *s = &plan->setup;
-    const double length = plan->scene.body_hi[0] - plan->scene.body_lo[0];
+    const double length = body_length(&plan->scene);
     const double given = spec_get(spec, "particles") ? run[P_PARTICLES] : 0;
     if (given > 0 && (DIM > 1 || spec->ppc > 0))
         return fault_set(fault, FAULT_USAGE,
@@ -124,19 +167,36 @@ static int by_name(const void *a, const void *b)
     return strcmp(((const Setting *)a)->name, ((const Setting *)b)->name);
 }
 
+/* Are particles fitted to the body unless asked otherwise? With two methods if one needs it. */
+static bool needs_surface(const Setup *s)
+{
+    return (s->method && s->method->surface) || (s->method_b && s->method_b->surface);
+}
+
+/* Of two bodies' methods: does each have a default of its own for this parameter, which was not
+ * given? Then its name cannot say both. */
+static bool has_two_defaults(const RunSpec *spec, const Plan *plan, const char *name)
+{
+    const Param *a = param_find(plan->method->params, name);
+    const Param *b = plan->second ? param_find(plan->second->params, name) : NULL;
+    return a && b && fabs(a->value - b->value) > 0 && !spec_get(spec, name);
+}
+
 /* Adds every parameter of problem and method to the spec, which then selects this run alone. */
 static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
 {
-    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params};
-    const double *values[] = {plan->problem_par, plan->method_par};
+    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params,
+                            plan->second ? plan->second->params : NULL};
+    const double *values[] = {plan->problem_par, plan->method_par, plan->second_par};
     char text[64], pair[128];
-    for (int l = 0; l < 2; l++)
+    for (int l = 0; l < 3; l++)
         for (int k = 0; k < param_count(lists[l]); k++) {
+            if (has_two_defaults(spec, plan, lists[l][k].name)) continue;
             info_param_print(&lists[l][k], values[l][k], text);
             snprintf(pair, sizeof pair, "%s=%s", lists[l][k].name, text);
             if (spec_set(spec, pair, fault)) return FAULT_USAGE;
         }
-    const double usual = plan->setup.method && plan->setup.method->surface;
+    const double usual = needs_surface(&plan->setup);
     int n = 0; /* drops run settings that equal their default or are stored in another field; keeps
                 * `dim`, because without it the command would select another run */
     for (int k = 0; k < spec->nset; k++) {
@@ -209,7 +269,8 @@ int plan_no_exact_motion(const RunSpec *spec, Fault *fault)
 static int check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
 {
     const Solver *solver = plan->solver;
-    const bool polygons = solver->elements || (plan->setup.method && plan->setup.method->patches);
+    const bool polygons = solver->elements || (plan->setup.method && plan->setup.method->patches) ||
+                          (plan->setup.method_b && plan->setup.method_b->patches);
     const char *name = plan->method->name;
     if (plan->scene.problem->projection && !solver->project)
         return fault_set(fault, FAULT_USAGE,
@@ -250,13 +311,15 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
         whole("particles", run[P_PARTICLES], fault) || whole("repeat", run[P_REPEAT], fault) ||
         whole("subcycles", run[P_SUBCYCLES], fault) ||
         read_params(spec, plan->method->params, plan->method_par, fault) ||
+        read_params(spec, plan->second ? plan->second->params : NULL, plan->second_par, fault) ||
         make_scene(spec, plan, fault) || settings_integrator(spec, plan, run, fault) ||
         settings_strain(spec, plan, run, fault) || check_outputs(spec, plan, fault))
         return FAULT_USAGE;
     s->scene = &plan->scene;
     s->method_par = plan->method_par;
+    s->method_b_par = plan->second_par;
     s->cells = (int)spec->cells;
-    s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : s->method && s->method->surface;
+    s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : needs_surface(s);
     s->threads = spec->threads > 0 ? spec->threads : 1;
     s->snapshot_nodes = plan->scene.problem->projection || spec->nodes || spec->vtk;
     plan->steps = (long)run[P_STEPS];

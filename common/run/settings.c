@@ -49,8 +49,12 @@ int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fa
 {
     Setup *s = &plan->setup;
     const Method *m = s->method;
-    if (!spec->integrator[0])
-        strcpy(spec->integrator, step_integrators[m ? m->integrator[DIM] : CD].name);
+    const Method *b = s->method_b; /* of the second body, if it is another */
+    if (!spec->integrator[0]) {
+        int usual = m ? m->integrator[DIM] : CD;
+        if (b && !(b->valid >> usual & 1)) usual = b->integrator[DIM];
+        strcpy(spec->integrator, step_integrators[usual].name);
+    }
     while (s->integrator < INTEGRATORS &&
            strcmp(spec->integrator, step_integrators[s->integrator].name))
         s->integrator++;
@@ -61,13 +65,14 @@ int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fa
         return fault_set(fault, FAULT_USAGE, "--integrator: got '%s', %s takes cd only",
                          spec->integrator, spec->method);
     }
-    const unsigned valid = m->valid | (s->refresh ? m->valid_fresh : 0);
+    const unsigned other = b ? b->valid | (s->refresh ? b->valid_fresh : 0) : ~0u;
+    const unsigned valid = (m->valid | (s->refresh ? m->valid_fresh : 0)) & other;
     if (valid >> s->integrator & 1 || run[P_ALLOW] > 0) return 0;
     return fault_set(
         fault, FAULT_USAGE,
         "--integrator: got '%s', which is unstable with %s%s; allow_unstable=1 runs it",
         spec->integrator, spec->method,
-        m->valid_fresh >> s->integrator & 1 ? " (stable with --set refresh=1)" : "");
+        (b ? m->valid_fresh | b->valid_fresh : m->valid_fresh) >> s->integrator & 1 ? " (stable with --set refresh=1)" : "");
 }
 
 /* Do the method's stencils widen with the particles, with these parameters? */
@@ -104,7 +109,9 @@ int settings_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *
     s->domain = (Domain)run[P_DOMAIN];
     s->strain = (StrainUpdate)run[P_STRAIN];
     s->subcycles = (int)run[P_SUBCYCLES];
-    if (s->domain != DOMAIN_FXX && !(s->method && has_boxes(s->method, plan->method_par)))
+    const bool boxes = (s->method && has_boxes(s->method, plan->method_par)) ||
+                       (s->method_b && has_boxes(s->method_b, plan->second_par));
+    if (s->domain != DOMAIN_FXX && !boxes)
         return fault_set(fault, FAULT_USAGE,
                          "--set domain: got '%s', takes fxx with %s, which sees no particle's size",
                          spec_get(spec, "domain"), spec->method);

@@ -68,7 +68,8 @@ static int write_kind(Snapshots *s, int kind, long step, const VtkData *data, Fa
     return vtk_file_write(path, data, fault);
 }
 
-static int write_points(Snapshots *s, const State *state, long step, double t, Fault *fault)
+static int write_points(Snapshots *s, const State *state, bool several, long step, double t,
+                        Fault *fault)
 {
     const VtkArray arrays[] = {
         {"id", VTK_I64, 1, state->id},
@@ -81,6 +82,7 @@ static int write_points(Snapshots *s, const State *state, long step, double t, F
         {"energy", VTK_F64, 1, state->energy},
         {"mass", VTK_F64, 1, state->m},
         {"surface", VTK_U8, 1, state->surface},
+        {several ? "body" : NULL, VTK_U8, 1, state->body},
         {0},
     };
     return write_kind(
@@ -95,7 +97,7 @@ static int shoot_points(Snapshots *s, const Scene *scene, const Solver *solver, 
 {
     State state;
     if (state_of_points(&state, scene, solver, self, fault)) return FAULT_MACHINE;
-    const int code = write_points(s, &state, step, t, fault);
+    const int code = write_points(s, &state, scene->problem->part, step, t, fault);
     state_free(&state);
     return code;
 }

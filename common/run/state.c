@@ -5,7 +5,7 @@
 
 static bool state_new(State *s, int n, Fault *fault)
 {
-    const size_t row = (12 + 18 + 4) * sizeof(double) + 1, room = (size_t)n + 1;
+    const size_t row = (12 + 18 + 4) * sizeof(double) + 2, room = (size_t)n + 1;
     *s = (State){.n = n};
     char *at = s->memory = calloc(room, row);
     if (!at) {
@@ -22,7 +22,8 @@ static bool state_new(State *s, int n, Fault *fault)
     s->energy = (void *)at, at += room * sizeof *s->energy;
     s->m = (void *)at, at += room * sizeof *s->m;
     s->id = (void *)at, at += room * sizeof *s->id;
-    s->surface = (void *)at;
+    s->surface = (void *)at, at += room;
+    s->body = (void *)at;
     return true;
 }
 
@@ -71,6 +72,7 @@ static void set_point(State *s, const Scene *scene, const Points *p, double *con
     s->id[r] = r;
     s->m[r] = p->m[k];
     s->surface[r] = (uint8_t) !(p->m[k] > 0);
+    s->body[r] = p->second > 0 && r >= p->second;
     set_strain(s, scene, r, f, t);
 }
 

@@ -15,6 +15,7 @@ typedef struct State {
     double (*F)[9], (*sigma)[9], *von_mises, *energy; /* [-] [Pa] [Pa] [J/m^DIM] stored */
     double *m;                                        /* [kg] */
     uint8_t *surface;                                 /* 1: a surface particle */
+    uint8_t *body;                                    /* 0: the first or only one, 1: the second */
     void *memory;                                     /* all arrays */
 } State;
 
