@@ -3,10 +3,9 @@
  *
  * They meet at t0 = gap/(2 v0). From then on, tau = t - t0, the contact end rests and a front runs
  * away from it at c; it comes back from the free end after 2 L/c as a release, behind which the bar
- * flies with the other's velocity. At a distance s from the contact end, for the left bar (the right
- * one mirrored):
- *   u = v0 t until t0, then  u = v0 [t0 + min(tau, s/c) - max(0, tau - (2 L - s)/c)].
- * At tau = 2 L/c all of a bar has -v0: they part. */
+ * flies with the other's velocity. At a distance s from the contact end, for the left bar (the
+ * right one mirrored): u = v0 t until t0, then  u = v0 [t0 + min(tau, s/c) - max(0, tau - (2 L -
+ * s)/c)]. At tau = 2 L/c all of a bar has -v0: they part. */
 #include <math.h>
 #include "contact.h"
 
@@ -54,8 +53,8 @@ static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
     const double flight = 0.5 * s->par[GAP] / s->par[V0], tau = fmax(t - flight, 0);
     for (int p = 0; p < n; p++) {
         const double from = fabs(X[0][p] - middle) - 0.5 * s->par[GAP];
-        const double way = fmin(t, flight) + fmin(tau, from / s->c) -
-                           fmax(0, tau - (2 * length - from) / s->c);
+        const double way =
+            fmin(t, flight) + fmin(tau, from / s->c) - fmax(0, tau - (2 * length - from) / s->c);
         u[0][p] = (X[0][p] < middle ? 1 : -1) * s->par[V0] * way;
     }
 }
@@ -71,7 +70,7 @@ const Problem problem_collinear_bars = {
              .params = params},
     .cells = 100,
     .ppc = 2,
-    .cfl = 0.2,
+    .cfl = 0.5,
     .init = init,
     .part = part,
     .start = start,

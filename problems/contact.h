@@ -8,9 +8,14 @@
 enum { P_CONTACT, P_MU, CONTACT_PARAMS };
 
 #define CONTACT_PARAM_LIST(mu)                                                                     \
-    {"contact", CONTACT_BARDENHAGEN, 0, 1, "",                                                     \
+    {"contact",                                                                                    \
+     CONTACT_BARDENHAGEN,                                                                          \
+     0,                                                                                            \
+     1,                                                                                            \
+     "",                                                                                           \
      "at shared nodes: Coulomb contact, or one velocity for both bodies, which makes them stick",  \
-     "Bardenhagen et al. 2001", "bardenhagen|none"},                                               \
+     "Bardenhagen et al. 2001",                                                                    \
+     "bardenhagen|none"},                                                                          \
     {                                                                                              \
         "mu", mu, 0, 1e3, "", "coefficient of friction", "Bardenhagen et al. 2001", NULL           \
     }

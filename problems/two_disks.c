@@ -10,9 +10,7 @@
 
 static const double radius = 0.2, speed = 0.1, centre[2] = {0.3, 0.7}; /* [m] [m/s] [m] */
 
-static const Param params[] = {
-    CONTACT_PARAM_LIST(0),
-    {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
+static const Param params[] = {CONTACT_PARAM_LIST(0), {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 static int init(Scene *s, char why[128])
 {
@@ -71,7 +69,7 @@ const Problem problem_two_disks = {
              .params = params},
     .cells = 20,
     .ppc = 4,
-    .cfl = 0.4,
+    .cfl = 0.2,
     .init = init,
     .inside = inside,
     .part = part,

@@ -107,8 +107,8 @@ struct Scene {
     Mat turn;    /* rotation of a whole one's body-fitted points or mesh, row-major */
     Wall wall[MAX_WALLS];
     int nwall;
-    ContactLaw contact; /* of scenes with two bodies */
-    double friction;    /* [-] coefficient of Coulomb friction between them */
+    ContactLaw contact;    /* of scenes with two bodies */
+    double friction;       /* [-] coefficient of Coulomb friction between them */
     double c;              /* [m/s] the speed in dt0 = CFL h/c */
     double t_end;          /* [s] default duration; 0: none */
     double error_scale;    /* errors are divided by it; NAN: no errors in this scene */

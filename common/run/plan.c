@@ -42,8 +42,8 @@ static int read_params(const RunSpec *spec, const Param *params, double value[],
 
 static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
 {
-    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params,
-                            settings_common, plan->second ? plan->second->params : NULL};
+    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params, settings_common,
+                            plan->second ? plan->second->params : NULL};
     const char *names[4 * MAX_PARAMS];
     int n = 0;
     for (int l = 0; l < 4; l++) {
@@ -63,62 +63,6 @@ static const Problem *find_problem(const char *name)
     for (const Problem *const *p = problems; *p; p++)
         if (strcmp((*p)->info.name, name) == 0) return *p;
     return NULL;
-}
-
-/* A method by name: a plug-in, or a mesh solver. */
-typedef struct Named {
-    const Method *method;
-    const Solver *solver;
-    const Info *info;
-} Named;
-
-static int find_method(const char *name, Named *out, Fault *fault)
-{
-    const char *names[64];
-    int n = 0;
-    for (const Method *const *m = methods; *m; m++) {
-        names[n++] = (*m)->info.name;
-        if (strcmp((*m)->info.name, name) == 0)
-            *out = (Named){*m, &particle_solver, &(*m)->info};
-    }
-    for (const Solver *const *s = solvers; *s; s++) {
-        names[n++] = (*s)->info.name;
-        if (strcmp((*s)->info.name, name) == 0) *out = (Named){NULL, *s, &(*s)->info};
-    }
-    if (out->info) return 0;
-    return fault_set(fault, FAULT_USAGE,
-                     "--method: got '%s', takes a method of %dD; did you mean '%s'?", name, DIM,
-                     fault_nearest_name(name, names, n));
-}
-
-/* One method, or A+B in a scene with two bodies. */
-static int choose_method(RunSpec *spec, Plan *plan, Fault *fault)
-{
-    if (!spec->method[0]) strcpy(spec->method, "gimp");
-    const char *plus = strchr(spec->method, '+');
-    char first[sizeof spec->method];
-    Named a = {0}, b = {0};
-    snprintf(first, sizeof first, "%.*s", plus ? (int)(plus - spec->method) : 31, spec->method);
-    if (find_method(first, &a, fault) || (plus && find_method(plus + 1, &b, fault)))
-        return FAULT_USAGE;
-    const bool two = plan->scene.problem->part, mesh = !a.method || (plus && !b.method);
-    if (plus && !two)
-        return fault_set(fault, FAULT_USAGE,
-                         "--method: got '%s', takes one method in %s, which has one body",
-                         spec->method, spec->problem);
-    if (two && mesh)
-        return fault_set(fault, FAULT_USAGE,
-                         "--method: got '%s', takes a method with a grid in %s, whose two bodies "
-                         "meet at grid nodes",
-                         spec->method, spec->problem);
-    if (a.info == b.info) strcpy(spec->method, first);
-    plan->solver = a.solver;
-    plan->method = a.info;
-    plan->setup.method = a.method;
-    if (!plus || a.info == b.info) return 0;
-    plan->second = b.info;
-    plan->setup.method_b = b.method;
-    return 0;
 }
 
 /* Length of the bodies along the first axis [m], without what lies between two. */
@@ -303,7 +247,7 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     if (!plan->scene.problem)
         return fault_set(fault, FAULT_USAGE, "problem: got '%s', not one of %dD", spec->problem,
                          DIM);
-    if (choose_method(spec, plan, fault)) return FAULT_USAGE;
+    if (settings_method(spec, plan, fault)) return FAULT_USAGE;
     for (int k = 0; k < spec->nset; k++)
         if (unknown_setting(plan, spec->set[k].name, fault)) return FAULT_USAGE;
     if (!(spec->cells > 0)) spec->cells = plan->scene.problem->cells;

@@ -21,6 +21,9 @@ enum {
     RUN_PARAMS
 };
 
+/* The method, or two of them (A+B), and what solves with it. 0 or a fault. */
+int settings_method(RunSpec *spec, Plan *plan, Fault *fault);
+
 /* Time integrator; particle boxes and the update of F: into plan->setup, from the run's settings
  * run[RUN_PARAMS]. 0, or a fault: a pair that is refused. */
 int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault);
