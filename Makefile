@@ -158,7 +158,7 @@ bench: all $(BUILD)/tests/bench ## speed: figure T-3, and instructions if valgri
 	@$(MAKE) -s BUILD=$(BUILD)/avx2 ARCH=-march=x86-64-v3 all
 	BUILD=$(BUILD) bash tests/tools/bench.sh
 
-$(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,tools/bench $(TEXTBOOK)) \
+$(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,tools/bench tools/bare_loops $(TEXTBOOK)) \
   $(BASE_OBJECTS) $(call objects,2)
 	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 

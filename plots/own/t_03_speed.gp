@@ -14,7 +14,7 @@ set lmargin 20
 unset key
 set ytics noenhanced # names of methods: no subscripts
 bar = 0.31
-colour(c) = c[1:5] eq 'bound' ? 0x999999 : c eq 'twin' ? 0xD55E00 : c[1:3] eq 'fem' ? 0x000000 : 0x0072B2
+colour(c) = c[1:5] eq 'bound' ? 0x999999 : c eq 'twin' || c[1:4] eq 'bare' ? 0xD55E00 : c[1:3] eq 'fem' ? 0x000000 : 0x0072B2
 plot csv skip 1 using (3):0:(3):3:($0 - bar):($0 + bar):(colour(strcol(1))):ytic(1) \
          with boxxyerror lc rgb variable, \
      csv skip 1 using 3:0:(sprintf(' %.3g', $3)) with labels left offset 0.3, 0

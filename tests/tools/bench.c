@@ -1,8 +1,10 @@
-/* bench.c: what `make bench` measures besides the program itself: the machine's bounds and the
- * textbook twin. Prints one number a line, "name value": bench machine          fma_gflops,
- * copy_gbs       multiply-adds, and reads + writes in place bench twin CELLS N     twin_ns ns per
- * particle-step of GIMP on free_block bench bytes METHOD     bytes                      memory a
- * particle has in the core */
+/* bench.c: what `make bench` measures besides the program itself: the machine's bounds, the
+ * textbook code and two bare loops. Prints one number a line, "name value":
+ *
+ *   bench machine                 fma_gflops, copy_gbs: multiply-adds, and reads + writes in place
+ *   bench twin CELLS STEPS        twin_ns: ns per particle-step of GIMP on free_block
+ *   bench bare KIND CELLS STEPS   bare_ns: the same of a bare loop, KIND mls or gimp
+ *   bench bytes METHOD            bytes: memory of a particle in the core */
 #define _GNU_SOURCE
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,6 +13,7 @@
 #include "common/run/plan.h"
 #include "common/core/sim.h"
 #include "tests/textbook/textbook.h"
+#include "tests/tools/bare_loops.h"
 
 static double seconds(void)
 {
@@ -84,6 +87,14 @@ static int twin(int cells, int steps)
     return 0;
 }
 
+static int bare(const char *kind, int cells, int steps)
+{
+    double kept = 0;
+    const double ns = bare_ns(strcmp(kind, "mls") ? BARE_GIMP : BARE_MLS, cells, steps, &kept);
+    printf("bare_ns %.4g\nkept %.10g\n", ns, kept);
+    return !(kept > 0.99 && kept < 1.01); /* it spins on, or the loop is wrong */
+}
+
 int main(int argc, char **argv)
 {
     if (argc == 2 && !strcmp(argv[1], "machine")) {
@@ -92,6 +103,7 @@ int main(int argc, char **argv)
     }
     if (argc == 3 && !strcmp(argv[1], "bytes")) return bytes(argv[2]);
     if (argc == 4 && !strcmp(argv[1], "twin")) return twin(atoi(argv[2]), atoi(argv[3]));
-    fprintf(stderr, "bench: machine | twin CELLS STEPS | bytes METHOD\n");
+    if (argc == 5 && !strcmp(argv[1], "bare")) return bare(argv[2], atoi(argv[3]), atoi(argv[4]));
+    fprintf(stderr, "bench: machine | twin CELLS STEPS | bare KIND CELLS STEPS | bytes METHOD\n");
     return 2;
 }

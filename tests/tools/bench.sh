@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # bench.sh: the speed of the step loop, from one run of this machine: ns per particle-step (best and median
-# CPU time of interleaved rounds), instructions (callgrind, AVX2 build), ratios to the textbook twin and to the
-# machine's own bounds, growth, empty space, threads. Writes OUT/t_03_speed.csv; prints it as a table.
+# CPU time of interleaved rounds), instructions (callgrind, AVX2 build), ratios to the textbook twin, two bare loops
+# (whole) and the machine's own bounds, growth, empty space, threads. Writes OUT/t_03_speed.csv; prints it as a table.
 #   BUILD=build OUT=build/out ROUNDS=7 tests/tools/bench.sh
 set -u
 BUILD=${BUILD:-build} OUT=${OUT:-$BUILD/out} ROUNDS=${ROUNDS:-7}
@@ -39,6 +39,10 @@ for ((round = 0; round < ROUNDS; round++)); do
             "$work/row.csv" >>"$work/$name.ns"
     done
     "$bench" twin 128 2 | awk '{ print $2, $2 }' >>"$work/twin.ns"
+    for kind in mls gimp; do # what a user would write instead, whole runs
+        "$bench" bare $kind 128 40 >"$work/bare" || { echo "bench: the bare $kind loop is wrong" >&2; exit 1; }
+        awk '$1 == "bare_ns" { print $2, $2 }' "$work/bare" >>"$work/bare-$kind.ns"
+    done
     [ -t 2 ] && printf '\rbench: round %d of %d' $((round + 1)) "$ROUNDS" >&2
 done
 [ -t 2 ] && echo >&2
@@ -61,10 +65,10 @@ twin=$(sort -g "$work/twin.ns" | awk 'NR == 1 { print $1 }')
 gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
 {
     echo "case,particles,ns_best,ns_median,wall_best,instructions_avx2,ratio_to_gimp,ratio_to_twin"
-    for c in "${cases[@]}" "twin|"; do
+    for c in "${cases[@]}" "twin|" "bare-mls|" "bare-gimp|"; do
         name=${c%%|*} n=65536 count=
-        [ "$name" = twin ] || n=$(pick particles <"$work/$name.row")
-        case "$name" in gimp-* | *-3d | fem-*) ;; twin) ;; *) count=$(instructions "${c#*|} --set steps=4") ;; esac
+        [ "${c#*|}" = "" ] || n=$(pick particles <"$work/$name.row")
+        case "$name" in gimp-* | *-3d | fem-* | twin | bare-*) ;; *) count=$(instructions "${c#*|} --set steps=4") ;; esac
         sort -g "$work/$name.ns" | awk -v name="$name" -v n="$n" -v count="$count" -v gimp="$gimp" -v twin="$twin" '
             { cpu[NR] = $1; if (NR == 1 || $2 < wall) wall = $2 }
             END { printf "%s,%d,%.4g,%.4g,%.4g,%s,%.4g,%.4g\n", name, n, cpu[1], cpu[int((NR + 1) / 2)], wall, count,
