@@ -14,7 +14,7 @@ set xtics 1
 set xlabel 't [s]'
 set yrange [0:2.9]
 set ylabel 'energy [J/m]'
-set key at graph 0.98, graph 0.62 right
+set key at graph 0.99, graph 0.62 right samplen 1.4 font small
 set label 1 heading('(a) two disks, GIMP') at graph 0, graph 1.05
 plot file('gimp') using 't':'total' with lines lc rgb '#222222' lw 2 title 'total', \
      '' using 't':'kinetic' with lines lc rgb '#555555' dt 2 lw 2 title 'kinetic', \
