@@ -95,7 +95,7 @@ static int whole(const Rig *r)
 /* Tents with one projection a step turn particles inside out in 2D, with and without contact. */
 static bool tents_alone(const Method *m, Integrator i)
 {
-    return DIM == 2 && (i == CD || i == USL) && m->width(0.25) == 2 && !m->pic;
+    return DIM == 2 && (i == CD || i == USL) && m->width(0.25) == 2 && !(m->pic > 0);
 }
 
 /* Momentum of every stable method and integrator, both contacts, with and without friction. WLS
