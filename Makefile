@@ -3,6 +3,7 @@
 #   make OMP=              no threads                make BUILD=build/x      another folder
 #   make WERROR=-Werror    warnings are errors, as in make lint and .ci/run
 
+VERSION = 0.9
 CC     = gcc
 BUILD  = build
 ARCH   = -march=native
@@ -59,7 +60,7 @@ sum = for room in $(1); do \
 $(BUILD)/facts.h: force
 	@mkdir -p $(BUILD)
 	@sources=$$($(call sum,$(ROW_ROOMS))) && studies=$$($(call sum,$(STUDY_ROOMS))) && \
-	printf '#define FACT_%s "%s"\n' VERSION "$$(git describe --always --dirty --tags 2>/dev/null || echo unknown)" \
+	printf '#define FACT_%s "%s"\n' VERSION "$$(git describe --always --dirty --tags 2>/dev/null | sed 's/^/$(VERSION), commit /' | grep . || echo $(VERSION))" \
 	  COMPILER "$$($(CC) --version | head -n 1)" FLAGS "$(strip $(OPT) $(OMP) $(SAN))" \
 	  SOURCES "$$sources" STUDIES "$$studies" > $@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
@@ -92,7 +93,7 @@ $(foreach d,1 2 3,$(eval $(call dimension,$(d))))
 # make figures QUICK=--quick: all figures from short runs, in minutes, without verdicts
 QUICK =
 
-figures: ## all studies, claims and build/out/index.html
+figures: ## all studies, claims and build/out/index.html: 20 minutes on 2 cores; with QUICK=--quick: 2
 	@$(MAKE) --no-print-directory -j$(JOBS) all
 	$(BUILD)/mpmlab study all $(QUICK) --jobs $(JOBS)
 	$(if $(QUICK),,$(BUILD)/mpmlab claims)
@@ -140,6 +141,7 @@ test: ## every test
 	bash tests/cli/example.sh $(BUILD)/example
 	$(WRONG_TEST)
 	$(FAULT_TEST)
+	bash tests/cli/resume.sh $(BUILD)/mpmlab $(BUILD)/tests
 	bash tests/cli/install.sh $(BUILD) $(BUILD)/tests
 	bash tests/cli/cluster.sh $(BUILD)/mpmlab $(BUILD)/tests
 	bash tests/studies/page.sh $(BUILD)/mpmlab $(BUILD)/tests

@@ -63,6 +63,7 @@ static int allocate(Fem *f, int cells, Fault *fault)
     if (!f->memory)
         return fault_set(fault, FAULT_MACHINE, "fem: no memory for %d elements", f->elements);
     memset(f->memory, 0, need);
+    f->bytes = need;
     lay_out(f, f->memory);
     return 0;
 }
@@ -188,6 +189,7 @@ Fem *fem_new(const Setup *setup, Fault *fault)
     }
     f->scene = setup->scene;
     f->integrate = setup->method_par && setup->method_par[0] > 0 && setup->scene->problem->body;
+    f->reactions = setup->reactions;
     f->nodes = mesh.nodes;
     f->elements = mesh.elements;
     f->slots = (mesh.elements + CHUNK - 1) / CHUNK * CHUNK;
@@ -206,11 +208,14 @@ Fem *fem_new(const Setup *setup, Fault *fault)
     for (int lo = 0; lo < f->nodes; lo += CHUNK)
         start_block(f, lo, f->nodes - lo < CHUNK ? f->nodes - lo : CHUNK);
     fem_strain(f);
-    return f;
+    if (fem_find_sides(f)) return f;
+    fault_set(fault, FAULT_MACHINE, "fem: no memory");
+    fem_free(f);
+    return NULL;
 }
 
 void fem_free(Fem *f)
 {
-    if (f) free(f->memory);
+    if (f) fem_free_sides(f), free(f->memory);
     free(f);
 }

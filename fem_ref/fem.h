@@ -31,7 +31,9 @@ typedef struct Fem {
     double *m, *V0;                   /* [kg] [m^DIM] lumped mass, share of the volume */
     double *keep[DIM];                /* 1; 0 where the component is held for good */
     double *given[DIM];               /* [kg m/s] momentum from body forces and walls so far */
-    int (*touching)[VALENCE];         /* corners that meet in the node; its rest: no_force */
+    Vec outside;                      /* [kg m/s] from body forces alone, if `reactions` */
+    bool reactions;
+    int (*touching)[VALENCE]; /* corners that meet in the node; its rest: no_force */
     int *id;
 
     int *corner[CORNERS]; /* counter-clockwise */
@@ -44,11 +46,16 @@ typedef struct Fem {
     double *middle[DIM]; /* [m] [slots] centres of the elements in the reference, then */
     Packed *pull;        /* [N] [slots + 1] an element's body force on each of its corners, then */
 
+    struct Sides *sides; /* sides under traction, or NULL; traction.c */
+
     Wall barrier[MAX_WALLS]; /* walls that a node may run into */
     int barriers;
-    double edge;   /* [m] length in the time step limit */
-    Status status; /* of the current positions */
-    void *memory;  /* all arrays */
+    double dt_before; /* [s] of the step before; 0: none */
+    double edge;      /* [m] length in the time step limit */
+    bool moved;       /* by the last step */
+    Status status;    /* of the current positions */
+    void *memory;     /* all arrays, */
+    size_t bytes;     /*   so many */
 } Fem;
 
 /* Where the force on a corner of element e lies; and a force that is always zero. */
@@ -81,6 +88,18 @@ double fem_jacobian(const Fem *f, int e);
 /* Nodes from t to t + dt under the present corner forces, the body force at t and the walls (A1,
  * A5, A6); the first step takes half the acceleration. */
 void fem_move(Fem *f, double t, double dt, bool first);
+
+/* Sides of elements that are no other element's, if the scene has traction. false: no memory. */
+bool fem_find_sides(Fem *f);
+void fem_free_sides(Fem *f);
+
+/* Nodal forces [N] of the traction at time t, into fem_load; the work of a step that has just been
+ * taken from t to t + dt; all work so far [J]. */
+void fem_load_sides(Fem *f, double t);
+const double *fem_load(const Fem *f, int axis);
+void fem_record_work(Fem *f, double t, double dt);
+double fem_work(const Fem *f);
+void fem_stash_work(Fem *f, Stash *s);
 
 extern const Solver solver_fem;
 

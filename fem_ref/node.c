@@ -70,20 +70,27 @@ static void integrated_force(const Fem *f, int lo, int n, double b[DIM][BLOCK])
     }
 }
 
-static void body_force(const Fem *f, int lo, int n, double t, double b[DIM][BLOCK])
+static void own_force(const Fem *f, int lo, int n, double t, double b[DIM][BLOCK])
 {
     const double *X[DIM];
     double *out[DIM];
-    if (f->integrate) {
-        integrated_force(f, lo, n, b);
-        return;
-    }
     for (int d = 0; d < DIM; d++) {
         X[d] = f->X[d] + lo;
         out[d] = b[d];
         for (int i = 0; i < n; i++) b[d][i] = 0;
     }
     if (f->scene->problem->body) f->scene->problem->body(f->scene, n, X, t, out);
+}
+
+/* Force per mass from outside: body force and traction. */
+static void body_force(const Fem *f, int lo, int n, double t, double b[DIM][BLOCK])
+{
+    if (f->integrate)
+        integrated_force(f, lo, n, b);
+    else
+        own_force(f, lo, n, t, b);
+    for (int d = 0; d < DIM && f->sides; d++)
+        for (int i = 0; i < n; i++) b[d][i] += fem_load(f, d)[lo + i] / f->m[lo + i];
 }
 
 static bool any_beyond(const double *x, int n, double at, int side)
@@ -144,12 +151,29 @@ static void move_block(Fem *f, int lo, double t, double dt, double dt_v)
         for (int d = 0; d < DIM; d++) f->now[i][d] = f->x[d][i];
 }
 
+/* Adds the momentum that the body force gives over dt. */
+static void record_outside(Fem *f, double t, double dt)
+{
+    double b[DIM][BLOCK];
+    for (int lo = 0; lo < f->nodes; lo += BLOCK) {
+        const int n = f->nodes - lo < BLOCK ? f->nodes - lo : BLOCK;
+        body_force(f, lo, n, t, b);
+        for (int d = 0; d < DIM; d++)
+            for (int i = 0; i < n; i++) f->outside[d] += dt * f->m[lo + i] * b[d][i];
+    }
+}
+
 void fem_move(Fem *f, double t, double dt, bool first)
 {
-    const double dt_v = first ? 0.5 * dt : dt;
+    const double before = first ? 0 : f->dt_before > 0 ? f->dt_before : dt;
+    const double dt_v = 0.5 * (before + dt); /* from the middle of one step to that of the next */
     const int slots = f->integrate ? f->slots : 0;
 #pragma omp parallel for schedule(static) num_threads(f->threads)
     for (int start = 0; start < slots; start += CHUNK) pull_chunk(f, start, t);
+    if (f->sides) fem_load_sides(f, t);
+    if (f->reactions) record_outside(f, t, dt_v);
 #pragma omp parallel for schedule(static) num_threads(f->threads)
     for (int lo = 0; lo < f->nodes; lo += BLOCK) move_block(f, lo, t, dt, dt_v);
+    if (f->sides) fem_record_work(f, t, dt);
+    f->dt_before = dt;
 }

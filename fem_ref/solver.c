@@ -33,7 +33,8 @@ static Status step(void *self, double t, double dt, bool first)
 {
     Fem *f = self;
     const Problem *problem = f->scene->problem;
-    if (f->status.code != OK) return f->status;
+    f->moved = f->status.code == OK;
+    if (!f->moved) return f->status;
     if (problem->impose) problem->impose(f->scene, f->nodes, (const double *const *)f->x, t, f->v);
     fem_move(f, t, dt, first);
     fem_strain(f);
@@ -59,6 +60,7 @@ static void counts(const void *self, Counts *out)
     *out = (Counts){.ppc = NAN,
                     .particles = f->nodes,
                     .surface = 0,
+                    .moved = f->moved,
                     .elements = f->elements,
                     .nodes = -1,
                     .fallbacks = -1};
@@ -71,6 +73,16 @@ static void impulse(const void *self, Vec out)
         out[d] = 0;
         for (int i = 0; i < f->nodes; i++) out[d] += f->given[d][i];
     }
+}
+
+static double work(const void *self)
+{
+    return fem_work(self);
+}
+
+static void outside(const void *self, Vec out)
+{
+    for (int d = 0; d < DIM; d++) out[d] = ((const Fem *)self)->outside[d];
 }
 
 /* Adds the F and sigma of element e, of a chunk with Kirchhoff stress T, to its nodes. */
@@ -130,6 +142,17 @@ static void patches(const void *self, PatchVisit *visit, void *own)
     }
 }
 
+/* The mesh with it: all arrays are one piece. */
+static void stash(void *self, Stash *s)
+{
+    Fem *f = self;
+    if (stash_same(s, (long)f->bytes)) stash_bytes(s, f->memory, f->bytes);
+    STASH(s, f->status);
+    STASH(s, f->outside);
+    STASH(s, f->dt_before);
+    if (f->sides) fem_stash_work(f, s);
+}
+
 static void destroy(void *self)
 {
     fem_free(self);
@@ -149,8 +172,11 @@ const Solver solver_fem = {
     .view = view,
     .counts = counts,
     .impulse = impulse,
+    .work = work,
+    .outside = outside,
     .patches = patches,
     .elements = true,
     .point_stress = point_stress,
+    .stash = stash,
     .free = destroy,
 };

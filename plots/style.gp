@@ -11,14 +11,15 @@ set output out
 set datafile separator ','
 
 # One label, colour and marker per method, the same in every figure: use `ls style('gimp')`, label('gimp') and
-# COLOUR[style('gimp')]. The program hands over METHODS, LABELS, COLOURS and MARKERS (studies/engine/palette.c); a
-# method that is not among them is drawn in grey.
-if (!exists('METHODS')) { METHODS = ''; LABELS = ''; COLOURS = ''; MARKERS = '' }
-place(m) = sum [k = 1:words(METHODS)] (word(METHODS, k) eq m ? k : 0)
+# COLOUR[style('gimp')]. The program hands over METHODS and REQUESTED (methods that studies run on request),
+# and for both LABELS, COLOURS and MARKERS (studies/engine/palette.c); a method that is not among them is drawn in grey.
+if (!exists('METHODS')) { METHODS = ''; REQUESTED = ''; LABELS = ''; COLOURS = ''; MARKERS = '' }
+ALL = METHODS.' '.REQUESTED
+place(m) = sum [k = 1:words(ALL)] (word(ALL, k) eq m ? k : 0)
 slot(k) = k < 20 ? k : k + 10 # line styles 20 to 29 are not methods'
-OTHER = slot(words(METHODS) + 1)
+OTHER = slot(words(ALL) + 1)
 array COLOUR[OTHER]
-do for [k = 1:words(METHODS)] {
+do for [k = 1:words(ALL)] {
     COLOUR[slot(k)] = word(COLOURS, k)
     set style line slot(k) lc rgb word(COLOURS, k) lw 1.6 pt int(word(MARKERS, k)) ps 0.8
 }

@@ -62,7 +62,7 @@ array NTH[curves]
 do for [k = 1:curves] {
     OWN[k] = ''
     NTH[k] = 1
-    do for [w in METHODS] {
+    do for [w in ALL] {
         if (TITLE[k] eq w || substr(TITLE[k], 1, strlen(w) + 1) eq w.';') {
             OWN[k] = w
             TITLE[k] = label(w).substr(TITLE[k], strlen(w) + 1, strlen(TITLE[k]))

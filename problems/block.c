@@ -98,7 +98,7 @@ static void impose(const Scene *s, int n, ConstFields x, double t, Fields v)
     for (int a = 0; a < DIM; a++)
         for (int p = 0; p < n; p++)
             v[a][p] =
-                L[a][0] * about_centre(s, 0, x[0][p]) + L[a][1] * about_centre(s, 1, x[DIM > 1][p]);
+                L[a][0] * about_centre(s, 0, x[0][p]) + L[a][1] * about_centre(s, 1, x[AXIS_Y][p]);
 }
 
 /* +1 and -1 in turns along every axis: the points' spacing is that of the first two. */

@@ -50,7 +50,7 @@ static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fiel
     (void)u, (void)F;
     for (int p = 0; p < n; p++) {
         const double middle = 0.5 * s->par[BOX], x = X[0][p] - middle;
-        const double y = DIM > 1 ? X[DIM > 1][p] - middle : 0;
+        const double y = DIM > 1 ? X[AXIS_Y][p] - middle : 0;
         const double spin[] = {-w * y, w * x}, turn[] = {0, -w, w, 0};
         double osc[2], grad[4];
         swing(x, y, osc, grad);

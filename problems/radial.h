@@ -15,7 +15,10 @@
  *   dP_rr/dR        = mu (1 + 1/F_rr^2) s g'',
  *   (P_rr - P_tt)/R = mu (1 + 1/(F_rr F_tt)) (F_rr - F_tt)/R,
  *   (F_rr - F_tt)/R = s (c2 + 2 c3 R),
- *   b_R = -w^2 s g - (c^2/2) s [(1 + 1/F_rr^2) g'' + (n - 1) (1 + 1/(F_rr F_tt)) (c2 + 2 c3 R)]. */
+ *   b_R = -w^2 s g - (c^2/2) s [(1 + 1/F_rr^2) g'' + (n - 1) (1 + 1/(F_rr F_tt)) (c2 + 2 c3 R)].
+ *
+ * traction=1 takes c1 = 6, c2 = -8, c3 = 3 instead: g' = .25 at the inner, -1 at the outer radius,
+ * so that P_rr there is known and not zero. */
 #ifndef MPMLAB_RADIAL_H
 #define MPMLAB_RADIAL_H
 
@@ -26,7 +29,15 @@ enum { RADIAL_C1, RADIAL_C2, RADIAL_C3, RADIAL_OMEGA }; /* s->k */
 
 static const double radial_inner = 0.5, radial_outer = 1; /* [m] */
 
-/* Material, times and eq 37's coefficients. */
+/* The last parameter of both scenes. */
+#define RADIAL_TRACTION                                                                            \
+    {                                                                                              \
+        "traction", 0, 0, 1, "", "1: other c2, c3, so that both radii bear a known traction",      \
+            "W11 eq 3", "0|1"                                                                      \
+    }
+
+/* Material, times and coefficients: eq 37's, whose radii are free, or where s->traction was set
+ * others, whose radii bear a traction. */
 static inline void radial_init(Scene *s)
 {
     const double D = radial_outer - 3 * radial_inner, outer2 = radial_outer * radial_outer;
@@ -38,6 +49,10 @@ static inline void radial_init(Scene *s)
     s->k[RADIAL_C2] = 3 * (radial_outer + radial_inner) / (outer2 * D);
     s->k[RADIAL_C3] = -2 / (outer2 * D);
     s->k[RADIAL_OMEGA] = M_PI * s->c;
+    if (!s->traction) return;
+    s->k[RADIAL_C1] = 6;
+    s->k[RADIAL_C2] = -8;
+    s->k[RADIAL_C3] = 3;
 }
 
 /* Grid and box of the body, which `full` makes whole; else between symmetry planes. */
@@ -140,6 +155,23 @@ static inline void radial_body(const Scene *s, int n, ConstFields X, double t, F
                               (RADIAL_AXES - 1) * (1 + iF_rr * iF_tt) * (c2 + 2 * c3 * R);
         const double b_over_R = -a * (w2 * g_over_R + half_c2 * stress / R);
         for (int d = 0; d < DIM; d++) b[d][p] = d < RADIAL_AXES ? b_over_R * r[d] : 0;
+    }
+}
+
+/* P N = +-P_rr e_R on faces whose normal N lies along the radius. */
+static inline void radial_traction(const Scene *s, int n, ConstFields X, ConstFields N, double t,
+                                   Fields out)
+{
+    const double a = radial_amplitude(s, t);
+    const double c1 = s->k[RADIAL_C1], c2 = s->k[RADIAL_C2], c3 = s->k[RADIAL_C3];
+    for (int p = 0; p < n; p++) {
+        double r[DIM], along = 0;
+        const double R = radial_from_centre(s, X, p, r);
+        const double F_rr = 1 + a * (c1 + R * (2 * c2 + R * 3 * c3));
+        const double P_rr = s->mat.mu * (F_rr - 1 / F_rr);
+        for (int d = 0; d < RADIAL_AXES; d++) along += N[d][p] * r[d] / R;
+        const double side = fabs(along) > 0.5 ? copysign(1, along) : 0;
+        for (int d = 0; d < DIM; d++) out[d][p] = d < RADIAL_AXES ? side * P_rr * r[d] / R : 0;
     }
 }
 

@@ -5,7 +5,7 @@
 enum { RADIAL_AXES = 2, LAST = DIM - 1 }; /* in 3D: the axis of the ring */
 #include "radial.h"
 
-enum { AMPLITUDE, SECTOR, OFFSET_X, OFFSET_Y, ANGLE };
+enum { AMPLITUDE, SECTOR, OFFSET_X, OFFSET_Y, ANGLE, TRACTION };
 enum { QUARTER, FULL };
 
 static const Param params[] = {
@@ -15,6 +15,7 @@ static const Param params[] = {
     {"offset_x", 0, -1, 1, "h", "full: centre of the ring off the grid line x = 0", "", NULL},
     {"offset_y", 0, -1, 1, "h", "full: centre of the ring off the grid line y = 0", "", NULL},
     {"angle", 0, -360, 360, "deg", "full: turn of body-fitted points or mesh", "", NULL},
+    RADIAL_TRACTION,
     {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 /* Symmetry planes on both sides of two cells along the ring's axis. */
@@ -34,6 +35,7 @@ static int init(Scene *s, char why[128])
         snprintf(why, 128, "offset_x, offset_y and angle need sector=full");
         return -1;
     }
+    s->traction = s->par[TRACTION] > 0;
     radial_init(s);
     s->body = (Body){.kind = BODY_RING,
                      .centre = {s->par[OFFSET_X] * s->cell, s->par[OFFSET_Y] * s->cell},
@@ -85,6 +87,20 @@ static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
     return true;
 }
 
+/* Both circles, equal shares of their areas. */
+static void surface(const Scene *s, double spacing, Layout *out)
+{
+    const int layers = DIM > 2 ? (int)ceil(s->body_hi[LAST] / spacing - 1e-9) : 1;
+    const double height = DIM > 2 ? s->body_hi[LAST] : 1;
+    for (int side = 0; side < 2; side++) {
+        const double R = side ? radial_outer : radial_inner;
+        const double area = R * (s->body.angle_hi - s->body.angle_lo) * height;
+        const int first = out->n;
+        add_circle(s, R, 0, spacing, layers, out);
+        for (int p = first; p < out->n; p++) out->volume[p] = area / (out->n - first);
+    }
+}
+
 const Problem problem_ring = {
     .info = {.name = "ring",
              .label = "Oscillating ring",
@@ -103,4 +119,6 @@ const Problem problem_ring = {
     .exact = radial_exact,
     .distance = radial_distance,
     .body = radial_body,
+    .surface = surface,
+    .traction = radial_traction,
 };

@@ -6,7 +6,7 @@
 enum { RADIAL_AXES = DIM };
 #include "radial.h"
 
-enum { AMPLITUDE, SECTOR, OFFSET, ANGLE = OFFSET + DIM };
+enum { AMPLITUDE, SECTOR, OFFSET, ANGLE = OFFSET + DIM, TRACTION };
 enum { OCTANT, FULL };
 
 static const Param params[] = {
@@ -18,6 +18,7 @@ static const Param params[] = {
     {"offset_z", 0, -1, 1, "h", "full: centre of the shell off the grid plane z = 0", "", NULL},
     {"angle", 0, -360, 360, "deg",
      "full: turn of body-fitted points or mesh about the axis (1, 2, 3)", "", NULL},
+    RADIAL_TRACTION,
     {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 static int init(Scene *s, char why[128])
@@ -30,6 +31,7 @@ static int init(Scene *s, char why[128])
         snprintf(why, 128, "offset_x, offset_y, offset_z and angle need sector=full");
         return -1;
     }
+    s->traction = s->par[TRACTION] > 0;
     radial_init(s);
     s->body = (Body){.kind = BODY_SHELL, .inner = radial_inner, .outer = radial_outer};
     s->octant = !full;
@@ -47,6 +49,17 @@ static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
     sphere_add(out, s, radial_inner, 0, spacing, -1);
     sphere_add(out, s, radial_outer, 0, spacing, 1);
     return true;
+}
+
+/* Both spheres, shares of their areas: those of a layer of thickness 1 over its volume per area. */
+static void surface(const Scene *s, double spacing, Layout *out)
+{
+    for (int side = -1; side < 2; side += 2) {
+        const double R = side > 0 ? radial_outer : radial_inner, layer = 1 + 1 / (12 * R * R);
+        const int first = out->n;
+        sphere_add(out, s, R, 1, spacing, side);
+        for (int p = first; p < out->n; p++) out->volume[p] /= layer;
+    }
 }
 
 const Problem problem_shell = {
@@ -67,4 +80,6 @@ const Problem problem_shell = {
     .exact = radial_exact,
     .distance = radial_distance,
     .body = radial_body,
+    .surface = surface,
+    .traction = radial_traction,
 };

@@ -19,20 +19,13 @@ void select_begin(const char *study)
     page = study;
 }
 
-static const Param *find_param(const Param *list, const char *name)
-{
-    for (; list && list->name; list++)
-        if (strcmp(list->name, name) == 0) return list;
-    return NULL;
-}
-
 static bool is_setting(const char *name)
 {
     for (const Engine *const *e = engines; *e; e++) {
-        if (find_param(*(*e)->settings, name)) return true;
+        if (info_param_find(*(*e)->settings, name)) return true;
         for (int k = 0; k < 2; k++)
             for (const Info *const *i = k ? (*e)->methods : (*e)->problems; *i; i++)
-                if (find_param((*i)->params, name)) return true;
+                if (info_param_find((*i)->params, name)) return true;
     }
     return false;
 }
@@ -67,9 +60,9 @@ static int find(const Table *t, const char *name)
 /* The default of a setting that every run has, if it is one in all dimensions. */
 static const Param *usual_of(const char *name)
 {
-    const Param *usual = find_param(*engines[0]->settings, name);
+    const Param *usual = info_param_find(*engines[0]->settings, name);
     for (const Engine *const *e = engines; *e && usual; e++)
-        if (fabs(find_param(*(*e)->settings, name)->value - usual->value) > 0) usual = NULL;
+        if (fabs(info_param_find(*(*e)->settings, name)->value - usual->value) > 0) usual = NULL;
     return usual;
 }
 

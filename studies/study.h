@@ -8,6 +8,7 @@
 #include "common/run/engine.h"
 #include "common/base/table.h"
 #include "measure.h"
+#include "phrase.h"
 
 typedef struct Cases Cases;
 typedef struct Check Check;
@@ -35,6 +36,7 @@ struct Study {
     void (*check)(Check *check, const Results *results); /* or NULL: nothing claimed */
     int claims;         /* that check() makes, whatever the tables hold */
     bool timed;         /* it measures time: its cases run one by one, whatever --jobs says */
+    const char *also;   /* methods on request that it runs, too: "cpdi,tlmpm"; or NULL */
     const char *script; /* plots/ROOM/SCRIPT.gp, if that is not NAME */
 };
 
@@ -60,6 +62,13 @@ const Table *results_part(const Results *results, const char *part);
 Table *results_file(const Results *results, const char *part);
 Table *results_left(const Results *results, const char *part);
 char *results_path(const Results *results, const char *part);
+
+/* The same files as tables that belong to the results and have no rows if there is no file: of a
+ * run that reached its end; of any run. They stay until eight others have been read. */
+const Table *results_run(const Results *results, const char *part, ...)
+    __attribute__((format(printf, 2, 3)));
+const Table *results_ended(const Results *results, const char *part, ...)
+    __attribute__((format(printf, 2, 3)));
 
 /* "ok", "lost" or, of a run that is not in the table, "absent": for a column `status`. */
 const char *results_status(const Results *results, const char *part);

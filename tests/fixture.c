@@ -57,6 +57,7 @@ void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator 
                           .method = method,
                           .method_par = plan->method_par,
                           .integrator = integrator,
+                          .frame = method->frame,
                           .cells = cells,
                           .ppc = ppc,
                           .snapshot_nodes = true,
@@ -155,8 +156,10 @@ static const Param *share_of(const Method *m)
 /* The parameter of variant k > 0 and its value there; NULL: there is none. */
 static const Param *variant_of(const Method *m, int k, double *value)
 {
-    const Param *p = k == 3 ? share_of(m) : param_of(m, k == 1 ? "shape" : "order");
-    if (p) *value = k == 1 ? !(p->value > 0) : k == 2 ? 3 - 1 : 0.5 * (p->min + p->max);
+    const Param *shape = param_of(m, "shape"), *p = k == 2 ? param_of(m, "order") : share_of(m);
+    const double values[VARIANTS] = {0, shape && !(shape->value > 0), 3 - 1, 0, 2};
+    if (k == 1 || k == 4) p = shape && values[k] <= shape->max ? shape : NULL;
+    if (p) *value = k == 3 ? 0.5 * (p->min + p->max) : values[k];
     return p;
 }
 

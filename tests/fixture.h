@@ -58,9 +58,9 @@ double rig_distance(const double *a, const double *b, int count, bool L);
 #define FOR_INTEGRATORS(i) for (Integrator i = CD; i < INTEGRATORS; i++)
 
 /* Settings of variant k of a method, then `more`: 0 its defaults, 1 its other shape, 2 an odd order
- * of its filter, 3 half of the share of v that its parameters let it replace. False: it has none
- * such. */
-enum { VARIANTS = 4, VARIANT_TEXT = 128 };
+ * of its filter, 3 half of the share of v that its parameters let it replace, 4 its third shape.
+ * False: it has none such. */
+enum { VARIANTS = 5, VARIANT_TEXT = 128 };
 bool rig_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT]);
 
 /* The same for a scene made by hand. */

@@ -2,6 +2,7 @@
 #include "fault.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -33,6 +34,11 @@ int fault_set(Fault *f, int code, const char *format, ...)
     for (char *c = f->text; *c; c++) /* typed text may hold anything: a fault stays one line */
         if ((unsigned char)*c < ' ') *c = ' ';
     return code;
+}
+
+int fault_machine(Fault *f, const char *what)
+{
+    return fault_set(f, FAULT_MACHINE, "%s: %s", what, strerror(errno));
 }
 
 enum { LONGEST_NAME = 63 };

@@ -12,6 +12,9 @@ typedef struct Fault {
 /* Fills *f (which may be NULL) and returns code: callers write `return fault_set(...)`. */
 int fault_set(Fault *f, int code, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
+/* "what: why", why the last system call failed (errno): FAULT_MACHINE. */
+int fault_machine(Fault *f, const char *what);
+
 /* The name in `names` (n of them) nearest to `got` by edit distance, for "did you mean". */
 const char *fault_nearest_name(const char *got, const char *const *names, int n);
 

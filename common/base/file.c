@@ -62,7 +62,7 @@ int file_check(const char *path, Fault *fault)
         return 0;
     else if (missing && is_replaceable(path))
         return 0;
-    return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
+    return fault_machine(fault, path);
 }
 
 FILE *file_begin(const char *path, Fault *fault)
@@ -73,7 +73,7 @@ FILE *file_begin(const char *path, Fault *fault)
     if (fd < 0 && !is_special(path))
         fd = open(temporary, O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666);
     FILE *f = fd < 0 ? NULL : fdopen(fd, is_special(path) ? "w" : "w+");
-    if (!f) fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
+    if (!f) fault_machine(fault, path);
     return f;
 }
 
@@ -152,5 +152,5 @@ int file_make_folder(const char *path, Fault *fault)
         *c = '/';
     }
     failed = failed || (mkdir(part, 0777) != 0 && errno != EEXIST);
-    return failed ? fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno)) : 0;
+    return failed ? fault_machine(fault, path) : 0;
 }

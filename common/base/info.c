@@ -8,6 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+const Param *info_param_find(const Param *list, const char *name)
+{
+    for (; list && list->name; list++)
+        if (strcmp(list->name, name) == 0) return list;
+    return NULL;
+}
+
 int info_number_parse(const char *text, double *value)
 {
     if (!*text || strspn(text, "+-.0123456789eE") != strlen(text))

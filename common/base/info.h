@@ -2,6 +2,7 @@
 #ifndef MPMLAB_INFO_H
 #define MPMLAB_INFO_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -22,7 +23,11 @@ typedef struct Info {
     const char *formula; /* problem: the exact motion; method: the transfers; NULL: none */
     const char *scale;   /* what errors of a problem are divided by, or NULL */
     const Param *params;
+    bool on_request; /* studies of all methods leave it out, unless --method names it */
 } Info;
+
+/* The parameter of a list (or NULL) by that name, or NULL. */
+const Param *info_param_find(const Param *list, const char *name);
 
 /* Reads text as a value of p: a number within its range, or one of its words. Returns 0, or -1 with
  * a description of what it takes in takes[128]. */

@@ -55,6 +55,7 @@ static const Column columns[] = {
     NUMBER(elements),
     NUMBER(fallbacks),
     NUMBER(ppc_asked),
+    TIMING(wall_run_s),
 };
 
 int row_columns(void)

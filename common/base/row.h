@@ -16,7 +16,8 @@ typedef struct Row {
     double dt;
     char layout[16], params[512], reason[192];
     double surface_particles, elements, fallbacks;
-    double ppc_asked; /* of a layout whose real `ppc` came out otherwise; repeats the run */
+    double ppc_asked;  /* of a layout whose real `ppc` came out otherwise; repeats the run */
+    double wall_run_s; /* of the whole run: set-up, norms, ledger and files included */
 } Row;
 
 /* A row with every number NAN and every text empty. */

@@ -98,8 +98,8 @@ void spec_command(const RunSpec *spec, char out[SPEC_TEXT])
 
 int spec_files_check(const RunSpec *s, Fault *fault)
 {
-    const char *const files[] = {s->history, s->particles, s->nodes,
-                                 s->samples, s->errors,    s->patches};
+    const char *const files[] = {s->history, s->particles, s->nodes,     s->samples,
+                                 s->errors,  s->patches,   s->checkpoint};
     for (size_t k = 0; k < sizeof files / sizeof *files; k++)
         if (files[k] && file_check(files[k], fault)) return FAULT_MACHINE;
     return 0;

@@ -2,9 +2,17 @@
 #ifndef MPMLAB_SPEC_H
 #define MPMLAB_SPEC_H
 
+#include <signal.h>
 #include "fault.h"
 
-enum { SPEC_SETS = 32, SPEC_TEXT = 3072 };
+enum { SPEC_SETS = 32, SPEC_TEXT = 3072, SPEC_PROBES = 16, PROBE_COLUMNS = 9 };
+
+/* A place in the reference body [m], with as many coordinates as were typed. */
+typedef struct Probe {
+    double X[3];
+    int axes;
+    const char *text; /* as typed; not owned */
+} Probe;
 
 typedef struct Setting {
     char name[32], value[32];
@@ -25,9 +33,15 @@ typedef struct RunSpec {
     const char *samples;                     /* what carries strain: elements, or particles */
     const char *errors;                      /* every point's error at the end, or NULL */
     const char *patches;                     /* polygons of cells or elements, or NULL */
+    const char *checkpoint, *resume;         /* files of the run's state: out, in; or NULL */
+    double save_s;                           /* [s] between two states; 0: 60 */
+    unsigned long program;                   /* that a state belongs to */
     const char *vtk;                         /* folder for snapshots, or NULL */
     int every;                               /* steps between snapshots; */
     double every_s;                          /*   or time between them [s] */
+    const volatile sig_atomic_t *stop; /* not 0: the run ends with the step under way; or NULL */
+    int nprobe;                        /* points whose motion the history follows */
+    Probe probe[SPEC_PROBES];
 } RunSpec;
 
 /* Adds NAME=VALUE to the settings (replacing an earlier NAME). 0, or a fault with code 2. */

@@ -30,6 +30,10 @@ enum {
     CHUNK = 64           /* particles that one stage handles at a time */
 };
 
+/* Axes of arrays of DIM numbers, also where code for more dimensions is compiled for fewer: in 1D
+ * AXIS_Y is x, which such code then does not use. */
+enum { AXIS_Y = DIM > 1, AXIS_LAST = DIM - 1 };
+
 typedef double Vec[DIM];
 typedef double Mat[NMAT];
 

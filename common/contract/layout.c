@@ -163,16 +163,18 @@ static bool is_mirror(const Scene *scene, int axis, int side)
     return false;
 }
 
-/* Points at mid spacing on the face of a box across `axis`. */
-static void place_face(Layout *out, const Scene *scene, int axis, int side, double spacing)
+void layout_add_face(Layout *out, const Scene *scene, int axis, int side, double spacing,
+                     bool areas)
 {
     long n[DIM], total = 1;
+    double share = 1;
     Vec normal = {0};
     normal[axis] = side;
     for (int d = 0; d < DIM; d++) {
         const double length = scene->body_hi[d] - scene->body_lo[d];
         n[d] = d == axis ? 1 : lround(fmax(ceil(length / spacing - 1e-9), 1));
         total *= n[d];
+        if (d != axis) share *= length / (double)n[d];
     }
     for (long k = 0; k < total && !out->lost; k++) {
         Vec X;
@@ -183,7 +185,7 @@ static void place_face(Layout *out, const Scene *scene, int axis, int side, doub
             rest /= n[d];
         }
         X[axis] = side < 0 ? scene->body_lo[axis] : scene->body_hi[axis];
-        layout_add(out, X, 0, normal);
+        layout_add(out, X, areas ? share : 0, normal);
     }
 }
 
@@ -191,7 +193,7 @@ static void place_faces(Layout *out, const Scene *scene, double spacing)
 {
     for (int d = 0; d < DIM; d++)
         for (int side = -1; side <= 1; side += 2)
-            if (!is_mirror(scene, d, side)) place_face(out, scene, d, side, spacing);
+            if (!is_mirror(scene, d, side)) layout_add_face(out, scene, d, side, spacing, false);
 }
 
 int layout_make(Layout *out, const Scene *scene, double spacing, int count, bool fitted,

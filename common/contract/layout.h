@@ -33,6 +33,12 @@ void layout_add_arc(Layout *out, const Scene *scene, double R, double dr, double
 /* Arcs at the mid radii of rings of equal thickness, at most `spacing`, from inner to outer. */
 void layout_fill_arcs(Layout *out, const Scene *scene, double inner, double outer, double spacing);
 
+/* Surface points at mid spacing, at most `spacing` wide, on the face of the body's box across
+ * `axis`, on the far side (1) or the near one (-1); `areas`: their volumes are shares of its area.
+ */
+void layout_add_face(Layout *out, const Scene *scene, int axis, int side, double spacing,
+                     bool areas);
+
 /* Spacing of surface points where particles have the given one [m]. */
 double layout_surface_spacing(const Layout *out, double spacing);
 

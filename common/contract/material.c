@@ -118,14 +118,27 @@ static double energy_linear(const Material *m, const Mat F)
     return 0.5 * m->lambda * trace * trace + m->mu * square;
 }
 
-void material_stored_energy(const Material *m, int n, const double *const F[NMAT], double psi[])
+/* One law over all; `law` is a constant in each instance. */
+static inline __attribute__((always_inline)) void
+energy_loop(double (*law)(const Material *, const Mat), const Material *m, int n,
+            const double *const F[NMAT], double *restrict psi)
 {
-    const bool linear = m->law == LINEAR;
+    const Material own = *m;
     for (int p = 0; p < n; p++) {
         Mat f;
         load(F, p, f);
-        psi[p] = linear ? energy_linear(m, f) : energy_neo_hookean(m, f);
+        psi[p] = law(&own, f);
     }
+}
+
+void material_stored_energy(const Material *m, int n, const double *const F[NMAT], double psi[])
+{
+    if (m->law == LINEAR)
+        energy_loop(energy_linear, m, n, F, psi);
+    else if (n == CHUNK)
+        energy_loop(energy_neo_hookean, m, CHUNK, F, psi);
+    else
+        energy_loop(energy_neo_hookean, m, n, F, psi);
 }
 
 double material_out_of_plane_stress(const Material *m, const Mat F)

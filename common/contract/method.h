@@ -20,8 +20,12 @@
 #include "points.h"
 
 enum {
-    MAX_WIDTH = 33, /* nodes per axis that a stencil may span */
-    MAX_ROUNDS = 16 /* of a velocity filter */
+    MAX_WIDTH = 33,                     /* nodes per axis that a stencil may span */
+    MAX_ROUNDS = 16,                    /* of a velocity filter */
+    MAX_OWN = IN_THIS_DIM(2, 8, 24),    /* fields of a method's own per particle */
+    MAX_CORNERS = IN_THIS_DIM(2, 4, 8), /* points of a particle */
+    MAX_LIST = IN_THIS_DIM(4, 16, 64),  /* nodes that a particle may list */
+    POINT_SUMS = 2 * LANES              /* in the sums of an update, DIM per point */
 };
 
 typedef enum { CD, UVF, MUSL, USL, USF, INTEGRATORS } Integrator; /* step.c */
@@ -30,6 +34,10 @@ typedef enum { CD, UVF, MUSL, USL, USF, INTEGRATORS } Integrator; /* step.c */
  * L (strain.h). */
 typedef enum { DOMAIN_FXX, DOMAIN_STRETCH, DOMAIN_UNDEFORMED } Domain;
 typedef enum { STRAIN_LINEAR, STRAIN_EXPONENTIAL, STRAIN_SUBCYCLED } StrainUpdate;
+
+/* Where stencils stand: at the particles, with sigma and the gradient in x; or at their reference
+ * positions X, once for the whole run, with the first Piola stress P and the gradient in X. */
+typedef enum { FRAME_CURRENT, FRAME_TOTAL } Frame;
 
 /* What a gather is for; the integrator says. */
 enum {
@@ -48,11 +56,19 @@ typedef struct Chunk {
     const double *X[DIM], *m, *V0;
     const double *normal[DIM]; /* reference normals of surface points, or NULL */
     const int *id;
+    double *const *own; /* use own_field() */
+    size_t first;
 } Chunk;
+
+/* Field k of the method's own, of this chunk. */
+static inline double *own_field(const Chunk *c, int k)
+{
+    return c->own[k] + c->first;
+}
 
 /* The tables of one axis of a chunk: for node base + k and particle p, at distance r = x_i - x_p.
  */
-enum { T_S, T_G, T_R, T_Q, TABLES }; /* S [-], G = dS/dx_p [1/cell], R = S r [cell], Q = S r^2 */
+enum { T_S, T_G, T_R, TABLES }; /* S [-], G = dS/dx_p [1/cell], R = S r [cell] */
 
 typedef struct Stencil {
     bool on_node;    /* tents: some particle lies on a node of this axis (on_node.c) */
@@ -76,6 +92,26 @@ typedef struct Payload {
                         * `moments` m L_ad D_d, D_d = sum_i S (x_i - x_p)_d^2 [m^2] as it is now */
 } Payload;
 
+/* Weights that are no products of axes: per particle a list of nodes, for all of a chunk of the
+ * same length, in `points` parts of `part` nodes. at: node number; the same node may stand in
+ * several places. Entry k of part c has the weight S_ip = S[c] N[k] and the gradient G[][c] N[k]
+ * [1/cell]: parts of one node, N = 1, hold any weights; CPDI's parts are the nodes about a corner.
+ */
+typedef struct NodeList {
+    int points, part;
+    long long at[MAX_LIST][CHUNK];
+    Field N[MAX_LIST], S[MAX_LIST], G[DIM][MAX_LIST];
+} NodeList;
+
+/* What such a method knows of the grid. Positions in cells count from node 0. */
+typedef struct Place {
+    int cells;             /* per unit length */
+    int origin[DIM];       /* node 0 lies at x = origin/cells */
+    long long stride[DIM]; /* nodes from one to the next along an axis */
+    double half;           /* l0/h: half width of an undeformed particle's box [cells] */
+    double reach;          /* no node may lie farther from a particle than this and a cell */
+} Place;
+
 struct Sim;
 
 typedef struct Method {
@@ -91,8 +127,11 @@ typedef struct Method {
     bool linear_exact;       /* projects linear fields exactly from any particle set */
     bool surface;            /* needs surface particles: */
     double surface_per_cell; /* so many along a cell's length; 0: as dense as particles */
+    bool scene_distance;     /* asks the scene for distances from its surface */
     bool about_node;         /* sorted by nearest node, though an odd stencil does not ask for it */
     bool wall_images;        /* gathers from images of nodes beyond walls, not from held nodes */
+    bool slopes_fitted;      /* G = S (x_i - x_p)/D, no derivative of S */
+    Frame frame;             /* default */
     bool smooth;             /* weights are C1: S ~ eps^2, dS/dx ~ eps at the edge of a support */
 
     /* Nodes per axis for half widths up to b [cells]; at most MAX_WIDTH. */
@@ -100,6 +139,19 @@ typedef struct Method {
 
     /* S, G and base of one axis: positions x and half widths b [cells]. */
     void (*shape)(const Axis *axis, int width, const Field x, const Field b, Stencil *out);
+
+    /* General weights, instead of `shape`; then `width` is that of what `reach` finds: the farthest
+     * that a point of each particle lies from it along any axis [cells]. x: as Place has it. In the
+     * total frame a chunk's x is X, and F = I. They take neither slopes B nor moments. */
+    void (*list)(const Chunk *c, const Place *g, const Field x[], NodeList *out);
+    void (*reach)(const Chunk *c, const Place *g, Field out);
+    int points; /* parts whose velocity an update reads: sum_k N_k v_a of part c is
+                 * sums[POINT_SUMS + c DIM + a], 0 in the total frame; at most MAX_CORNERS */
+
+    /* Names of the method's own fields, at most MAX_OWN, ended by NULL; or NULL: none. They are
+     * kept, sorted and written with the particle's others. `start` fills them. */
+    const char *const *own;
+    void (*start)(const Chunk *c, const Place *g);
 
     /* A (and B) from the particles; T is V0 J sigma / h [N] (G is per cell), or zero. */
     void (*payload)(const Chunk *c, const Field T[NMAT], Payload *out);

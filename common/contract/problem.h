@@ -86,6 +86,13 @@ typedef struct Problem {
      * step; may leave them alone. NULL: always free. */
     void (*impose)(const Scene *s, int n, ConstFields x, double t, Fields v);
 
+    /* Points that carry the traction: shares of the reference surface's area as volumes, outward
+     * normals. NULL: no traction ever. */
+    void (*surface)(const Scene *s, double spacing, Layout *out);
+
+    /* Nominal traction P N [Pa], force per reference area, at X on a face of outward normal N. */
+    void (*traction)(const Scene *s, int n, ConstFields X, ConstFields N, double t, Fields out);
+
     /* Body force per mass [m/s^2] at reference position X and time t, or NULL. */
     void (*body)(const Scene *s, int n, ConstFields X, double t, Fields b);
 
@@ -109,6 +116,7 @@ struct Scene {
     int nwall;
     ContactLaw contact;    /* of scenes with two bodies */
     double friction;       /* [-] coefficient of Coulomb friction between them */
+    bool traction;         /* problem->traction acts on this scene's surface */
     double c;              /* [m/s] the speed in dt0 = CFL h/c */
     double t_end;          /* [s] default duration; 0: none */
     double error_scale;    /* errors are divided by it; NAN: no errors in this scene */

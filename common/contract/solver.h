@@ -4,11 +4,21 @@
 
 #include "common/base/fault.h"
 #include "common/base/info.h"
+#include "common/base/stash.h"
 #include "method.h"
 #include "points.h"
 #include "problem.h"
 
-typedef enum { OK, LEFT_GRID, INVERTED, NOT_A_NUMBER, SINGULAR, EMPTY, ENERGY_GROWTH } StatusCode;
+typedef enum {
+    OK,
+    LEFT_GRID,
+    INVERTED,
+    NOT_A_NUMBER,
+    SINGULAR,
+    EMPTY,
+    ENERGY_GROWTH,
+    INTERRUPTED
+} StatusCode;
 
 /* How a step ended; `point` is the id of the first culprit (particle, or element of FEM), or -1. */
 typedef struct Status {
@@ -30,10 +40,12 @@ typedef struct Setup {
     int count;           /* particles asked for by number (1D), or 0 */
     bool fitted;         /* body-fitted layout */
     bool refresh;        /* L from the accelerated grid velocity before a re-projection */
-    Domain domain;       /* of particle boxes */
+    Frame frame;         /* of stencils */
+    Domain domain;       /* of particle boxes, where the frame is the current one */
     StrainUpdate strain; /* of F */
     int subcycles;       /* of STRAIN_SUBCYCLED, >= 1 */
     bool snapshot_nodes; /* nodes() will be called */
+    bool reactions;      /* outside() will be called */
     int threads;
 } Setup;
 
@@ -44,6 +56,7 @@ typedef struct Counts {
     int surface;    /* surface particles */
     int elements;   /* FEM; -1 otherwise */
     long nodes;     /* most live grid nodes at any step; -1: no step got that far, or FEM */
+    bool moved;     /* the last step has moved the points, whatever its end */
     long fallbacks; /* nodes that fell back from their method's own rule; -1: has none */
 } Counts;
 
@@ -74,8 +87,13 @@ typedef struct Solver {
     /* Momentum [kg m/s] that body forces and boundary conditions have given since the start. */
     void (*impulse)(const void *self, Vec out);
 
-    /* [J] Work of friction between bodies since the start, <= 0; NULL: there is none. */
-    double (*friction)(const void *self);
+    /* Work [J] of tractions, the mean of both ends of every step, and of friction between bodies
+     * since the start. */
+    double (*work)(const void *self);
+
+    /* The part of the impulse that body forces and tractions have given; measured if
+     * setup->reactions asks for it. */
+    void (*outside)(const void *self, Vec out);
 
     /* Shows every polygon of the mesh or of the grid's cells as the last step had them; NULL: none.
      * `elements`: they carry strain, in a fixed order. */
@@ -84,6 +102,13 @@ typedef struct Solver {
 
     /* F and Cauchy stress of every point slot, components row-major (FEM: mean of elements). */
     void (*point_stress)(const void *self, Fields F, Fields sigma);
+
+    /* A solver by another method that goes on with the points of `self`, which is not freed; NULL:
+     * a mesh, whose points are no particles. NULL and a fault as make. */
+    void *(*take_over)(const Setup *setup, void *self, Fault *fault);
+
+    /* Everything that steps change, out or in: the steps that follow have the same bits. */
+    void (*stash)(void *self, Stash *s);
 
     void (*free)(void *self);
 } Solver;

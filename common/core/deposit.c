@@ -1,6 +1,7 @@
 /* deposit.c: particles to nodes (passes.h). */
 #include <string.h>
 #include "half_line.h"
+#include "list.h"
 #include "moments.h"
 #include "parts.h"
 #include "passes.h"
@@ -13,6 +14,8 @@ static void clear_row(Grid *g, int row)
     if (!g->force) return;
     for (int i = g->lo[row]; i < g->hi[row]; i++)
         for (int a = 0; a < DIM; a++) g->force[(start + (size_t)i) * DIM + (size_t)a] = 0;
+    for (int i = g->lo[row]; i < g->hi[row] && g->outward; i++)
+        for (int a = 0; a < DIM; a++) g->outward[(start + (size_t)i) * DIM + (size_t)a] = 0;
 }
 
 void sim_stress(const Sim *sim, const Chunk *c, Field T[NMAT])
@@ -40,7 +43,24 @@ double sim_distance(const Sim *sim, const int index[DIM], double t)
     return scene->problem->distance ? scene->problem->distance(scene, x, t) * sim->g.cells : NAN;
 }
 
-/* T = V0 J sigma / h [N], the momentum flux of a chunk; 0 in passes without forces. */
+/* J sigma becomes P = J sigma F^-T. */
+static void refer_stress(const Chunk *c, Field T[NMAT])
+{
+    for (int p = 0; p < CHUNK; p++) {
+        Mat F, tau;
+        for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p], tau[k] = T[k][p];
+        const double inverse = 1 / determinant(F);
+        for (int k = 0; k < NMAT; k++) {
+            const int a = k / DIM, b = k % DIM;
+            double P = 0;
+            for (int e = 0; e < DIM; e++) P += tau[a * DIM + e] * cofactor(F, e, b);
+            T[k][p] = P * inverse;
+        }
+    }
+}
+
+/* T = V0 J sigma / h [N], in the total frame V0 P / h, the momentum flux of a chunk; 0 in passes
+ * without forces. */
 static void chunk_stress(const Sim *sim, const Chunk *c, bool force, Field T[NMAT])
 {
     Field weight;
@@ -50,6 +70,7 @@ static void chunk_stress(const Sim *sim, const Chunk *c, bool force, Field T[NMA
                                     T);
     else
         memset(T, 0, sizeof(Field) * NMAT);
+    if (force && sim->total) refer_stress(c, T);
 }
 
 static void chunk_body(const Sim *sim, const Chunk *c, double t, Field body[DIM])
@@ -63,13 +84,16 @@ static void chunk_body(const Sim *sim, const Chunk *c, double t, Field body[DIM]
 static void deposit_round(Sim *sim, int k, Work *w)
 {
     const Chunk c = sim_chunk(sim, k);
-    const int width = make_stencils(sim, &c, w);
+    const int width = sim->method.list ? 0 : make_stencils(sim, &c, w);
+    if (!width) make_list(sim, &c, w);
     for (int p = 0; p < CHUNK; p++) {
         w->A[p] = (Line){0}; /* the spare lanes too: the ledger multiplies them by 0 */
         w->A[p][0] = c.m[p];
         for (int a = 0; a < DIM; a++) w->A[p][1 + a] = c.m[p] * c.w[a][p];
     }
-    if (width == 3)
+    if (!width)
+        deposit_list(&sim->g, w);
+    else if (width == 3)
         deposit_half(&sim->g, w, 3);
     else
         deposit_half(&sim->g, w, width);
@@ -83,6 +107,18 @@ static void make_payload(const Sim *sim, const Chunk *c, bool force, int width, 
     method->payload(c, (const Field *)w->T, &w->payload);
     if (method->moments) divide_by_spread(sim, w, width);
     pack_payload(sim, w, method->affine);
+}
+
+/* With general weights. */
+static void deposit_listed(Sim *sim, int k, double t, Deposit what, Work *w)
+{
+    const Chunk c = sim_chunk(sim, k);
+    make_list(sim, &c, w);
+    make_payload(sim, &c, what == FORCES, 0, w);
+    deposit_list(&sim->g, w);
+    if (what != FORCES || !sim->g.force) return;
+    chunk_body(sim, &c, t, w->body);
+    deposit_force_list(&sim->g, w);
 }
 
 static void deposit_chunk(Sim *sim, int k, double t, Deposit what, Work *w)
@@ -142,6 +178,8 @@ static bool deposit_blocks(Sim *sim, double t, Deposit what, Which which)
                         deposit_slopes(sim, k, &w);
                     else if (what == ROUND)
                         deposit_round(sim, k, &w);
+                    else if (sim->method.list)
+                        deposit_listed(sim, k, t, what, &w);
                     else
                         deposit_chunk(sim, k, t, what, &w);
                     on_node = on_node || w.on_node;

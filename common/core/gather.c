@@ -1,5 +1,6 @@
 /* gather.c: nodes to particles, and the check of the moved particles (passes.h). */
 #include "half_line.h"
+#include "list.h"
 #include "moments.h"
 #include "parts.h"
 #include "passes.h"
@@ -38,11 +39,22 @@ inspect_by(const Domain domain, const Sim *sim, const Chunk *c, const Work *w, E
     e->bad |= bad != 0;
 }
 
+/* The same of general weights, whose reach is the method's to say. */
+static void inspect_reach(const Sim *sim, const Chunk *c, Extremes *e)
+{
+    const Place place = sim_place(sim);
+    const Chunk at = sim_weight_chunk(sim, c);
+    Field reach;
+    sim->method.reach(&at, &place, reach);
+    for (int p = 0; p < CHUNK; p++) e->half[p] = reach[p] > e->half[p] ? reach[p] : e->half[p];
+}
+
 static void inspect_chunk(const Sim *sim, const Chunk *c, const Work *w, Extremes *e)
 {
-    if (sim->setup->domain == DOMAIN_FXX)
+    if (sim->method.list) inspect_reach(sim, c, e);
+    if (sim->domain == DOMAIN_FXX)
         inspect_by(DOMAIN_FXX, sim, c, w, e);
-    else if (sim->setup->domain == DOMAIN_STRETCH)
+    else if (sim->domain == DOMAIN_STRETCH)
         inspect_by(DOMAIN_STRETCH, sim, c, w, e);
     else
         inspect_by(DOMAIN_UNDEFORMED, sim, c, w, e);
@@ -59,23 +71,37 @@ static inline __attribute__((always_inline)) void gather_line(const Grid *g, Wor
         gather_lines(g, w, width, table);
 }
 
-static void gather_moments(const Sim *sim, Work *w, int width)
+static inline __attribute__((always_inline)) void gather_moments(const Sim *sim, Work *w, int width)
 {
     make_moments(w, width);
     gather_line(&sim->g, w, width, T_R);
     unpack_sums(w, LANES, sim->dx);
 }
 
+/* The sums that an update reads. */
+static inline __attribute__((always_inline)) void gather_sums(const Sim *sim, const Chunk *c,
+                                                              Work *w)
+{
+    if (sim->method.list) {
+        make_list(sim, c, w);
+        gather_list_and_points(sim, w);
+        unpack_sums(w, 0, sim->g.cells);
+        return;
+    }
+    const int width = make_stencils(sim, c, w);
+    gather_line(&sim->g, w, width, T_G);
+    if (w->on_node && sim->g.body) on_node_gather(sim, w);
+    unpack_sums(w, 0, sim->g.cells);
+    if (sim->method.moments) gather_moments(sim, w, width);
+}
+
 static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Extremes *e)
 {
     const Method *method = &sim->method;
     const Chunk c = sim_chunk(sim, k);
-    const int width = make_stencils(sim, &c, w);
-    gather_line(&sim->g, w, width, T_G);
-    if (w->on_node && sim->g.body) on_node_gather(sim, w);
-    unpack_sums(w, 0, sim->g.cells);
-    if (method->moments) gather_moments(sim, w, width);
-    const bool own_strain = take & TAKE_F && sim->setup->strain != STRAIN_LINEAR;
+    gather_sums(sim, &c, w);
+    const bool linear = !sim->total && sim->setup->strain == STRAIN_LINEAR;
+    const bool own_strain = take & TAKE_F && !linear;
     method->update(&c, (const Field *)w->sums, dt,
                    own_strain ? (take & ~(unsigned)TAKE_F) | TAKE_L : take);
     if (own_strain) strain_chunk(sim->setup, &c, (const Field *)w->sums, dt);
@@ -96,6 +122,26 @@ void gather_start_moments(Sim *sim)
     }
 }
 
+void gather_gradient(Sim *sim, double *const L[NMAT], double *const D[DIM])
+{
+    Work w;
+    for (int k = 0; k < sim->p.n / CHUNK; k++) {
+        const Chunk c = sim_chunk(sim, k);
+        const int width = sim->method.list ? 0 : make_stencils(sim, &c, &w), at = k * CHUNK;
+        for (int d = 0; d < DIM; d++) {
+            if (width) spread(sim, &w, d, width, D[d] + at);
+            for (int p = 0; p < CHUNK && !width; p++)
+                D[d][at + p] = 1; /* no affine part needs it */
+        }
+        if (L) gather_sums(sim, &c, &w);
+        if (!L) continue;
+        for (int a = 0; a < DIM; a++)
+            for (int b = 0; b < DIM; b++)
+                for (int p = 0; p < CHUNK; p++)
+                    L[a * DIM + b][at + p] = w.sums[FLUX + b * DIM + a][p];
+    }
+}
+
 void gather_velocity(Sim *sim)
 {
     const int chunks = sim->p.n / CHUNK;
@@ -105,8 +151,10 @@ void gather_velocity(Sim *sim)
 #pragma omp for schedule(static)
         for (int k = 0; k < chunks; k++) {
             const Chunk c = sim_chunk(sim, k);
-            const int width = make_stencils(sim, &c, &w);
-            if (width == 3)
+            const int width = sim->method.list ? 0 : make_stencils(sim, &c, &w);
+            if (!width)
+                make_list(sim, &c, &w), gather_list(&sim->g, &w);
+            else if (width == 3)
                 gather_half(&sim->g, &w, 3);
             else
                 gather_half(&sim->g, &w, width);
@@ -134,7 +182,8 @@ bool gather_all(Sim *sim, double dt, unsigned take)
         }
         bad |= e.bad;
     }
-    sim->travel += move;
-    if (take & TAKE_F) sim->half_now = fmin(half, sim->half_max);
+    if (!sim->total) sim->travel += move;
+    const unsigned widens = sim->method.list ? TAKE_X | TAKE_F | MOVE_STASH : TAKE_F;
+    if (take & widens) sim->half_now = fmin(half, sim->half_max);
     return bad;
 }

@@ -191,3 +191,25 @@ void mirror_wall_images(Sim *sim)
         if (isfinite(g->axis[d].wall_hi)) wall_images(g, d, (int)g->axis[d].wall_hi, 1);
     }
 }
+
+void mirror_set_walls(Sim *sim)
+{
+    Grid *g = &sim->g;
+    const Scene *scene = sim->setup->scene;
+    for (int d = 0; d < DIM; d++) {
+        g->axis[d] = (Axis){.wall_lo = -INFINITY, .wall_hi = INFINITY};
+        for (int k = 0; k < scene->nwall; k++) {
+            const Wall *w = &scene->wall[k];
+            const int at = (int)lround(w->at * g->cells) - g->origin[d];
+            if (w->axis != d) continue;
+            if (!w->mirror) {
+                *(w->side < 0 ? &g->axis[d].wall_lo : &g->axis[d].wall_hi) = at;
+                *(w->side < 0 ? &g->axis[d].open_lo : &g->axis[d].open_hi) = !(w->hold >> d & 1);
+            }
+            if (w->mirror) g->mirror[g->nmirror++] = (Mirror){d, at, w->side};
+            if (w->unilateral && !w->mirror) g->stop[g->nstop++] = (Stop){d, at, w->side, w->hold};
+            for (int i = 0; i < g->n[d] && !w->mirror && !w->unilateral; i++)
+                if (w->side * (i - at) >= 0) g->hold[d][i] |= (unsigned char)w->hold;
+        }
+    }
+}

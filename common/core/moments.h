@@ -5,17 +5,14 @@
 
 #include "scheme.h"
 
-/* R = S r and Q = S r^2 of every axis, for moments. */
+/* R = S r of every axis, for moments. */
 static inline void make_moments(Work *w, int width)
 {
     for (int d = 0; d < DIM; d++) {
         Stencil *s = &w->stencil[d];
         for (int k = 0; k < width; k++)
-            for (int p = 0; p < CHUNK; p++) {
-                const double r = s->base[p] + k - w->x[d][p];
-                s->table[T_R][k][p] = s->table[T_S][k][p] * r;
-                s->table[T_Q][k][p] = s->table[T_S][k][p] * r * r;
-            }
+            for (int p = 0; p < CHUNK; p++)
+                s->table[T_R][k][p] = s->table[T_S][k][p] * (s->base[p] + k - w->x[d][p]);
     }
 }
 

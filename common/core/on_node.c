@@ -36,11 +36,10 @@ static bool lies_on_node(const Stencil *s, int p)
     return s->table[T_S][0][p] * s->table[T_S][1][p] < ON_NODE;
 }
 
-bool on_node_clear_slopes(Stencil *s)
+void on_node_clear_slopes(Stencil *s)
 {
     for (int p = 0; p < CHUNK; p++)
         if (lies_on_node(s, p)) s->table[T_G][0][p] = s->table[T_G][1][p] = 0;
-    return true;
 }
 
 static void mark_row(Sim *sim, int row)

@@ -1,19 +1,11 @@
 /* particle_solver.c: the particle core as a Solver (solver.h). */
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
-#include "contact.h"
-#include "step.h"
+#include "bodies.h"
+#include "skin.h"
 
-/* The sims of a scene's bodies, one or two, with what their views need on the side. */
+/* The sims of a scene's bodies, with what their views need on the side. */
 typedef struct Core {
-    Sim *sim[2];
-    int bodies;
-    Setup setup[2]; /* of two bodies, with the scene of each */
-    Scene scene[2];
-    Contact contact;
-    double *field[FIELDS]; /* of both bodies, one after the other */
-    int *id;
+    Bodies all;
     Status start; /* a scene that is wrong from the start says so at its first step */
     double *x[DIM], *v[DIM], *m; /* live nodes, if asked for */
 } Core;
@@ -21,7 +13,10 @@ typedef struct Core {
 static bool node_views(Core *c)
 {
     size_t n = 0;
-    for (int b = 0; b < c->bodies; b++) n += (size_t)c->sim[b]->g.rows * (size_t)c->sim[b]->g.n[0];
+    for (int b = 0; b < c->all.n; b++) {
+        const Grid *g = &c->all.sim[b]->g;
+        n += (size_t)g->rows * (size_t)g->n[0];
+    }
     bool ok = (c->m = malloc(n * sizeof(double))) != NULL;
     for (int d = 0; d < DIM; d++) {
         ok = (c->x[d] = malloc(n * sizeof(double))) && ok;
@@ -30,61 +25,13 @@ static bool node_views(Core *c)
     return ok;
 }
 
-static bool is_viewed(int field)
-{
-    return field <= AT_VOL;
-}
-
-/* Contact of two bodies, and room for the view of both. */
-static bool join_bodies(Core *c)
-{
-    const Scene *scene = &c->scene[0];
-    const size_t n = (size_t)(c->sim[0]->p.room + c->sim[1]->p.room);
-    bool ok = (c->id = malloc(n * sizeof(int))) != NULL;
-    for (int f = 0; f < FIELDS; f++)
-        if (is_viewed(f)) ok = (c->field[f] = malloc(n * sizeof(double))) && ok;
-    return contact_make(&c->contact, c->sim[0], c->sim[1], scene->contact, scene->friction) && ok;
-}
-
 static void core_free(void *self)
 {
     Core *c = self;
-    for (int b = 0; b < 2; b++) sim_free(c->sim[b]);
+    bodies_free(&c->all);
     for (int d = 0; d < DIM; d++) free(c->x[d]), free(c->v[d]);
-    for (int f = 0; f < FIELDS; f++) free(c->field[f]);
-    free(c->id), free(c->m);
-    contact_free(&c->contact);
+    free(c->m);
     free(c);
-}
-
-/* Setup of one of two bodies: its share of a number of particles is that of its length. */
-static void set_part(Core *c, const Setup *whole, int b)
-{
-    Setup *s = &c->setup[b];
-    double length[2];
-    *s = *whole;
-    s->scene = &c->scene[b];
-    s->snapshot_nodes = true; /* contact looks at masses */
-    if (b && whole->method_b) s->method = whole->method_b, s->method_par = whole->method_b_par;
-    for (int k = 0; k < 2; k++) {
-        c->scene[b] = *whole->scene;
-        whole->scene->problem->part(&c->scene[b], k ? b : 1 - b);
-        length[k] = c->scene[b].body_hi[0] - c->scene[b].body_lo[0];
-    }
-    s->count = (int)lround(whole->count * length[1] / (length[0] + length[1]));
-}
-
-static bool make_sims(Core *c, const Setup *setup, Fault *fault)
-{
-    c->bodies = setup->scene->problem->part ? 2 : 1;
-    for (int b = 0; b < c->bodies; b++) {
-        if (c->bodies > 1) set_part(c, setup, b);
-        if (!(c->sim[b] = sim_new(c->bodies > 1 ? &c->setup[b] : setup, fault))) return false;
-    }
-    if ((!setup->snapshot_nodes || node_views(c)) && (c->bodies == 1 || join_bodies(c)))
-        return true;
-    fault_set(fault, FAULT_MACHINE, "out of memory");
-    return false;
 }
 
 static Status check_start(const Sim *sim)
@@ -99,68 +46,33 @@ static void *core_make(const Setup *setup, Fault *fault)
         fault_set(fault, FAULT_MACHINE, "out of memory");
         return NULL;
     }
-    if (!make_sims(c, setup, fault)) {
+    const bool made = bodies_make(&c->all, setup, fault);
+    if (!made || (setup->snapshot_nodes && !node_views(c))) {
+        if (made) fault_set(fault, FAULT_MACHINE, "out of memory");
         core_free(c);
         return NULL;
     }
     c->start = (Status){OK, -1, 0};
-    for (int b = 0; b < c->bodies && c->start.code == OK; b++) c->start = check_start(c->sim[b]);
-    for (int b = 0; b < c->bodies && c->start.code == OK; b++) sim_sort(c->sim[b]);
+    for (int b = 0; b < c->all.n && c->start.code == OK; b++) c->start = check_start(c->all.sim[b]);
+    for (int b = 0; b < c->all.n && c->start.code == OK; b++) sim_sort(c->all.sim[b]);
     return c;
 }
 
 static Status core_step(void *self, double t, double dt, bool first)
 {
     Core *c = self;
-    int culprit = 0;
-    if (c->start.code != OK) return c->start;
-    if (c->bodies == 1) return sim_step(c->sim[0], t, dt, first);
-    Status s = sim_step_bodies(c->sim, 2, t, dt, first, contact_meet, &c->contact, &culprit);
-    if (culprit > 0 && s.point >= 0) s.point += c->sim[0]->p.count;
-    return s;
+    return c->start.code == OK ? bodies_step(&c->all, t, dt, first) : c->start;
 }
 
 static Status core_project(void *self)
 {
     Core *c = self;
-    return c->start.code == OK ? sim_project(c->sim[0]) : c->start;
-}
-
-/* Copies both bodies' particles, one after the other; the second one's ids go on where the first
- * one's end. Returns the number of slots. */
-static int copy_both(const Core *c)
-{
-    int n = 0;
-    for (int b = 0; b < c->bodies; b++) {
-        const Particles *p = &c->sim[b]->p;
-        for (int f = 0; f < FIELDS; f++)
-            if (is_viewed(f)) memcpy(c->field[f] + n, p->field[f], sizeof(double) * (size_t)p->n);
-        for (int k = 0; k < p->n; k++)
-            c->id[n + k] = p->id[k] < 0 ? -1 : p->id[k] + (b ? c->sim[0]->p.count : 0);
-        n += p->n;
-    }
-    return n;
+    return c->start.code == OK ? sim_project(c->all.sim[0]) : c->start;
 }
 
 static void core_view(const void *self, Points *points, Samples *samples)
 {
-    const Core *c = self;
-    const Particles *p = &c->sim[0]->p;
-    const bool both = c->bodies > 1;
-    double *const *field = both ? c->field : p->field;
-    const int n = both ? copy_both(c) : p->n;
-    *points = (Points){.n = n,
-                       .id = both ? c->id : p->id,
-                       .m = field[AT_M],
-                       .V0 = field[AT_VOL],
-                       .second = both ? p->count : 0};
-    for (int d = 0; d < DIM; d++) {
-        points->X[d] = field[AT_X0 + d];
-        points->x[d] = field[AT_X + d];
-        points->v[d] = field[AT_V + d];
-    }
-    *samples = (Samples){.n = n, .V0 = field[AT_VOL]};
-    for (int k = 0; k < NMAT; k++) samples->F[k] = field[AT_F + k];
+    bodies_view(&((const Core *)self)->all, points, samples);
 }
 
 /* Adds the live nodes of a body to the n there are; returns their number. */
@@ -189,47 +101,41 @@ static void core_nodes(const void *self, Nodes *nodes)
 {
     const Core *c = self;
     int n = 0;
-    for (int b = 0; b < c->bodies; b++) n = add_nodes(c, c->sim[b], n);
+    for (int b = 0; b < c->all.n; b++) n = add_nodes(c, c->all.sim[b], n);
     *nodes = (Nodes){.n = n, .m = c->m};
     for (int d = 0; d < DIM; d++) nodes->x[d] = c->x[d], nodes->v[d] = c->v[d];
 }
 
 static void core_counts(const void *self, Counts *counts)
 {
-    const Core *c = self;
-    double cells = 0;
-    *counts = (Counts){.elements = -1, .fallbacks = -1};
-    for (int b = 0; b < c->bodies; b++) {
-        const Sim *sim = c->sim[b];
-        const int own = sim->p.count - sim->surface;
-        cells += own / sim->ppc;
-        counts->ppc = b ? (counts->particles + own) / cells : sim->ppc;
-        counts->particles += own;
-        counts->surface += sim->surface;
-        counts->nodes += sim->nodes;
-        if (sim->method.assemble)
-            counts->fallbacks = (counts->fallbacks > 0 ? counts->fallbacks : 0) + sim->fallbacks;
-    }
-    if (counts->nodes == 0) counts->nodes = -1;
+    bodies_counts(&((const Core *)self)->all, counts);
 }
 
 static void core_impulse(const void *self, Vec out)
 {
-    const Core *c = self;
-    for (int d = 0; d < DIM; d++) out[d] = c->sim[0]->impulse[d];
-    for (int d = 0; d < DIM && c->bodies > 1; d++) out[d] += c->sim[1]->impulse[d];
+    const Bodies *all = &((const Core *)self)->all;
+    for (int d = 0; d < DIM; d++) out[d] = all->sim[0]->impulse[d];
+    for (int d = 0; d < DIM && all->n > 1; d++) out[d] += all->sim[1]->impulse[d];
 }
 
-static double core_friction(const void *self)
+static double core_work(const void *self)
 {
-    return ((const Core *)self)->contact.work;
+    const Bodies *all = &((const Core *)self)->all;
+    return all->n > 1 ? all->contact.work : skin_work(all->sim[0]->skin);
+}
+
+static void core_outside(const void *self, Vec out)
+{
+    const Bodies *all = &((const Core *)self)->all;
+    for (int d = 0; d < DIM; d++) out[d] = all->sim[0]->outside[d];
+    for (int d = 0; d < DIM && all->n > 1; d++) out[d] += all->sim[1]->outside[d];
 }
 
 static void core_patches(const void *self, PatchVisit *visit, void *own)
 {
-    const Core *c = self;
-    for (int b = 0; b < c->bodies; b++)
-        if (c->sim[b]->method.patches) c->sim[b]->method.patches(c->sim[b], visit, own);
+    const Bodies *all = &((const Core *)self)->all;
+    for (int b = 0; b < all->n; b++)
+        if (all->sim[b]->method.patches) all->sim[b]->method.patches(all->sim[b], visit, own);
 }
 
 static void add_stress(const Sim *sim, int first, Fields F, Fields sigma)
@@ -249,19 +155,42 @@ static void add_stress(const Sim *sim, int first, Fields F, Fields sigma)
 
 static void core_stress(const void *self, Fields F, Fields sigma)
 {
-    const Core *c = self;
-    for (int b = 0; b < c->bodies; b++) add_stress(c->sim[b], b ? c->sim[0]->p.n : 0, F, sigma);
+    const Bodies *all = &((const Core *)self)->all;
+    for (int b = 0; b < all->n; b++) add_stress(all->sim[b], b ? all->sim[0]->p.n : 0, F, sigma);
+}
+
+/* Of one body: hand-over is refused in scenes with two. */
+static void *core_take_over(const Setup *setup, void *self, Fault *fault)
+{
+    Core *next = core_make(setup, fault), *before = self;
+    if (!next) return NULL;
+    Sim *to = next->all.sim[0], *from = before->all.sim[0];
+    next->start = before->start;
+    to->dt_before = from->dt_before;
+    if (!sim_take_over(to, from, fault)) return next;
+    core_free(next);
+    return NULL;
+}
+
+static void core_stash(void *self, Stash *s)
+{
+    Core *c = self;
+    bodies_stash(&c->all, s);
+    STASH(s, c->start);
 }
 
 const Solver particle_solver = {
     .make = core_make,
+    .take_over = core_take_over,
+    .stash = core_stash,
     .step = core_step,
     .project = core_project,
     .view = core_view,
     .nodes = core_nodes,
     .counts = core_counts,
     .impulse = core_impulse,
-    .friction = core_friction,
+    .work = core_work,
+    .outside = core_outside,
     .patches = core_patches,
     .point_stress = core_stress,
     .free = core_free,

@@ -23,6 +23,10 @@ bool gather_all(Sim *sim, double dt, unsigned take);
 /* With a method of moments: what a particle keeps starts as L D, not L. */
 void gather_start_moments(Sim *sim);
 
+/* Of every slot: L [1/s] of the grid velocity (L NULL: not asked for), D = sum_i S (x_i - x_p)^2
+ * along each axis [m^2]. */
+void gather_gradient(Sim *sim, double *const L[NMAT], double *const D[DIM]);
+
 /* w = S v of every particle, for a filter's round. */
 void gather_velocity(Sim *sim);
 

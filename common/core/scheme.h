@@ -36,10 +36,11 @@ typedef struct Work {
     bool on_node; /* a particle lies on a node, and G lacks its slope: on_node.c */
     Payload payload;
     Field T[NMAT];
-    Field sums[2 * LANES];
+    Field sums[POINT_SUMS + MAX_CORNERS * DIM];
     Field body[DIM];
     Line A[CHUNK]; /* payload by particle */
     Line B[CHUNK]; /* its slopes per cell, those along axis d in the lanes from FLUX + d DIM on */
+    NodeList list; /* of general weights, instead of the stencils */
 } Work;
 
 /* Half widths of a chunk along an axis [cells], by a rule that is a constant in each instance. */
@@ -56,9 +57,9 @@ half_widths_by(const Domain domain, const Sim *sim, const Chunk *c, int axis, Fi
 
 static inline void half_widths(const Sim *sim, const Chunk *c, int axis, Field b)
 {
-    if (sim->setup->domain == DOMAIN_FXX)
+    if (sim->domain == DOMAIN_FXX)
         half_widths_by(DOMAIN_FXX, sim, c, axis, b);
-    else if (sim->setup->domain == DOMAIN_STRETCH)
+    else if (sim->domain == DOMAIN_STRETCH)
         half_widths_by(DOMAIN_STRETCH, sim, c, axis, b);
     else
         half_widths_by(DOMAIN_UNDEFORMED, sim, c, axis, b);
@@ -70,8 +71,9 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
     const Method *method = &sim->method;
     double most = 0.5;
     for (int d = 0; d < DIM; d++) {
+        const double *x = sim->total ? c->X[d] : c->x[d];
         half_widths(sim, c, d, w->b[d]);
-        for (int p = 0; p < CHUNK; p++) w->x[d][p] = c->x[d][p] * sim->g.cells - sim->g.origin[d];
+        for (int p = 0; p < CHUNK; p++) w->x[d][p] = x[p] * sim->g.cells - sim->g.origin[d];
         if (sim->half_now > 0.5)
             for (int p = 0; p < CHUNK; p++) most = w->b[d][p] > most ? w->b[d][p] : most;
     }
@@ -80,7 +82,8 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
     for (int d = 0; d < DIM; d++) {
         w->stencil[d].on_node = false;
         method->shape(&sim->g.axis[d], width, w->x[d], w->b[d], &w->stencil[d]);
-        if (w->stencil[d].on_node) w->on_node = on_node_clear_slopes(&w->stencil[d]);
+        if (w->stencil[d].on_node) on_node_clear_slopes(&w->stencil[d]);
+        w->on_node |= w->stencil[d].on_node;
     }
     return width;
 }
@@ -142,7 +145,7 @@ static inline size_t row_offset(const Grid *g, int width, int r)
 {
     if (DIM == 1) return 0;
     if (DIM == 2) return (size_t)r * (size_t)g->n[0];
-    return ((size_t)(r / width) * (size_t)g->n[DIM > 1] + (size_t)(r % width)) * (size_t)g->n[0];
+    return ((size_t)(r / width) * (size_t)g->n[AXIS_Y] + (size_t)(r % width)) * (size_t)g->n[0];
 }
 
 /* Product of the weights of all axes but the first, for row r (DIM > 1). */

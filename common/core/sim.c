@@ -2,19 +2,22 @@
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
+#include <sys/mman.h>
 #include <unistd.h>
 #include "common/contract/layout.h"
 #include "sim.h"
-#include "stretch.h"
+#include "skin.h"
 
 /* How far half widths may grow before they are capped: stretch 4, or one cell and a half. */
-static double widest_half(double half)
+static double widest_half(double half, bool list)
 {
-    return fmin(fmax(1.5, 4 * half), (MAX_WIDTH - 5) / 2.0);
+    const double most = (MAX_WIDTH - 5) / 2.0;
+    return list ? most : fmin(fmax(1.5, 4 * half), most);
 }
 
 static bool field_used(const Sim *sim, int field)
 {
+    if (field >= AT_OWN) return field - AT_OWN < sim_own_count(&sim->method);
     if (field >= AT_N) return sim->method.surface;
     if (field >= AT_W) return sim->method.filter;
     if (field >= AT_U) return sim->setup->integrator == MUSL;
@@ -30,14 +33,25 @@ static void *get(size_t n, size_t size)
     return memory;
 }
 
+/* The same in huge pages, where the system gives them: a fault of each small page costs more than a
+ * step of the particles in it. */
+static void *get_huge(size_t n, size_t size)
+{
+    enum { HUGE = 1 << 21 };
+    void *memory = NULL;
+    if (n * size < 2 * HUGE) return get(n, size);
+    if (posix_memalign(&memory, HUGE, n * size)) return NULL;
+    madvise(memory, n * size, MADV_HUGEPAGE); /* else it stays as it is */
+    return memory;
+}
+
 /* Grid nodes start as untouched zero pages: only live spans ever cost memory. */
 static bool grid_alloc(Sim *sim)
 {
     Grid *g = &sim->g;
     const Setup *s = sim->setup;
     const size_t n = (size_t)g->rows * (size_t)g->n[0];
-    int longest = 0;
-    bool ok = true;
+    int longest = 0, ok = true;
     for (int d = 0; d < DIM; d++) {
         longest = g->n[d] > longest ? g->n[d] : longest;
         ok = (g->hold[d] = calloc((size_t)g->n[d], 1)) && ok;
@@ -48,7 +62,10 @@ static bool grid_alloc(Sim *sim)
     ok = (g->live = calloc((size_t)g->rows, sizeof(int))) && ok;
     ok = (g->impulse = calloc((size_t)g->rows, sizeof(Vec))) && ok;
     ok = (g->count = get((size_t)longest + 1, sizeof(int))) && ok;
-    if (s->scene->problem->body) ok = (g->force = get(n * DIM, sizeof(double))) && ok;
+    if (s->scene->problem->body || s->scene->traction)
+        ok = (g->force = get(n * DIM, sizeof(double))) && ok;
+    if (s->scene->traction && s->method->assemble)
+        ok = (g->outward = get(n * DIM, sizeof(double))) && ok;
     if (s->method->filter) ok = (g->keep = get(n, sizeof(Line))) && ok;
     if (s->snapshot_nodes) ok = (g->mass = calloc(n, sizeof(double))) && ok;
     if (!s->method->assemble) ok = (g->body = calloc(n, 1)) && ok;
@@ -63,7 +80,7 @@ static bool fields_alloc(Sim *sim)
     Particles *p = &sim->p;
     const size_t stride = ((size_t)p->room + PAGE - 1) / PAGE * PAGE + STAGGER;
     size_t used = 0;
-    if (!(p->arena = get((FIELDS + 1) * stride, sizeof(double)))) return false;
+    if (!(p->arena = get_huge((FIELDS + 1) * stride, sizeof(double)))) return false;
     p->spare = p->arena;
     for (int f = 0; f < FIELDS; f++)
         if (field_used(sim, f)) p->field[f] = p->arena + ++used * stride;
@@ -74,7 +91,7 @@ static bool fields_alloc(Sim *sim)
 static bool particles_alloc(Sim *sim)
 {
     Particles *p = &sim->p;
-    const int blocks = sim->g.n[DIM - 1] / 8 + 2;
+    const int blocks = grid_most_blocks(&sim->g);
     p->room = (p->count + blocks * CHUNK + CHUNK - 1) / CHUNK * CHUNK;
     const size_t room = (size_t)p->room;
     bool ok = (sim->block = calloc((size_t)blocks, sizeof(Block))) != NULL;
@@ -133,29 +150,6 @@ static void make_grid(Sim *sim)
     }
 }
 
-/* Walls as data of the grid: what is held at each index, and mirror lines by axis. */
-static void set_walls(Sim *sim)
-{
-    Grid *g = &sim->g;
-    const Scene *scene = sim->setup->scene;
-    for (int d = 0; d < DIM; d++) {
-        g->axis[d] = (Axis){.wall_lo = -INFINITY, .wall_hi = INFINITY};
-        for (int k = 0; k < scene->nwall; k++) {
-            const Wall *w = &scene->wall[k];
-            const int at = (int)lround(w->at * g->cells) - g->origin[d];
-            if (w->axis != d) continue;
-            if (!w->mirror) {
-                *(w->side < 0 ? &g->axis[d].wall_lo : &g->axis[d].wall_hi) = at;
-                *(w->side < 0 ? &g->axis[d].open_lo : &g->axis[d].open_hi) = !(w->hold >> d & 1);
-            }
-            if (w->mirror) g->mirror[g->nmirror++] = (Mirror){d, at, w->side};
-            if (w->unilateral && !w->mirror) g->stop[g->nstop++] = (Stop){d, at, w->side, w->hold};
-            for (int i = 0; i < g->n[d] && !w->mirror && !w->unilateral; i++)
-                if (w->side * (i - at) >= 0) g->hold[d][i] |= (unsigned char)w->hold;
-        }
-    }
-}
-
 /* Nodes with less than this fraction of a particle's mass count as empty. With C1 weights the force
  * falls as sqrt(mass), so light nodes are safe. With tents it does not fall, but on_node.c removes
  * it from nodes reached by less than ON_NODE along an axis. WLS integrates masses over cells. */
@@ -205,18 +199,9 @@ static bool start_particles(Sim *sim)
                               p->field + AT_X, p->field + AT_V, p->field + AT_F, l);
     for (int d = 0; d < DIM; d++)
         for (int s = 0; s < p->n; s++) p->field[AT_X + d][s] += p->field[AT_X0 + d][s];
+    if (sim->total && p->field[AT_L]) sim_refer_gradient(p);
     free(L);
     return true;
-}
-
-/* Widest half width now [cells]. (gcc 12 for arm64 fails at -O3 with `half` inside the loop.) */
-static double widest_now(const Sim *sim)
-{
-    double most = 0;
-    for (int d = 0; d < DIM; d++)
-        for (int s = 0; s < sim->p.n; s++)
-            most = fmax(most, domain_stretch(sim->setup->domain, sim->p.field + AT_F, d, s));
-    return fmin(sim->half * most, sim->half_max);
 }
 
 static int build(Sim *sim, Layout *layout, Fault *fault)
@@ -230,7 +215,7 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
     if (layout_make(layout, s->scene, sim->dx / per_axis, s->count, s->fitted, fault)) return -1;
     sim->ppc = layout_ppc(layout, s->ppc, sim->dx);
     sim->half = 0.5 / per_axis * (layout->fit > 0 ? layout->fit : 1); /* l0 = h/(2n), n as placed */
-    sim->half_max = widest_half(sim->half);
+    sim->half_max = widest_half(sim->half, sim->method.list);
     for (int k = 0; k < layout->n; k++) {
         const bool surface = s->method->surface && !(layout->volume[k] > 0);
         sim->p.count += surface || layout->volume[k] > 0;
@@ -239,13 +224,13 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
     make_grid(sim);
     if (!grid_alloc(sim) || !particles_alloc(sim))
         return fault_set(fault, FAULT_MACHINE, "out of memory for %d particles", sim->p.count);
-    set_walls(sim);
+    mirror_set_walls(sim);
     if (sim->method.make && !sim->method.make(sim))
         return fault_set(fault, FAULT_MACHINE, "out of memory");
     fill_particles(sim, layout);
-    if (!start_particles(sim)) return fault_set(fault, FAULT_MACHINE, "out of memory");
-    sim->half_now = widest_now(sim);
-    sim->travel = INFINITY; /* not sorted yet */
+    if (!start_particles(sim) || !skin_new(&sim->skin, sim, sim->dx / per_axis))
+        return fault_set(fault, FAULT_MACHINE, "out of memory");
+    sim_restart(sim);
     return 0;
 }
 
@@ -260,6 +245,8 @@ Sim *sim_new(const Setup *setup, Fault *fault)
     *sim = (Sim){0};
     sim->setup = setup;
     sim->method = *setup->method;
+    sim->total = setup->frame == FRAME_TOTAL;
+    sim->domain = sim->total ? DOMAIN_UNDEFORMED : setup->domain;
     if (sim->method.adapt) sim->method.adapt(setup->method_par, &sim->method);
     const int bad = build(sim, &layout, fault);
     layout_free(&layout);
@@ -277,9 +264,10 @@ void sim_free(Sim *sim)
     for (int d = 0; d < DIM; d++) free(g->hold[d]);
     free(g->node), free(g->keep), free(g->lo), free(g->hi), free(g->live), free(g->impulse),
         free(g->count);
-    free(g->force), free(g->mass), free(g->body), free(sim->block);
+    free(g->force), free(g->outward), free(g->mass), free(g->body), free(sim->block);
     free(p->arena), free(p->id), free(p->order), free(p->source);
     for (int d = 0; d < DIM; d++) free(p->key[d]);
+    skin_free(sim->skin);
     free(sim);
 }
 

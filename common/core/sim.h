@@ -7,22 +7,24 @@
 #define MPMLAB_SIM_H
 
 #include <stddef.h>
+#include "common/base/stash.h"
 #include "common/contract/method.h"
 #include "common/contract/solver.h"
 
 /* Particle fields; each is an array over slots, or NULL where the run does not need it. */
 enum {
-    AT_X0 = 0,          /* reference position [m], DIM of them */
-    AT_X = AT_X0 + DIM, /* position [m] */
-    AT_V = AT_X + DIM,  /* velocity [m/s] */
-    AT_F = AT_V + DIM,  /* deformation gradient [-], NMAT of them */
-    AT_M = AT_F + NMAT, /* mass [kg] */
-    AT_VOL = AT_M + 1,  /* reference volume [m^DIM] */
-    AT_L = AT_VOL + 1,  /* velocity gradient [1/s], NMAT: if the method keeps it */
-    AT_U = AT_L + NMAT, /* displacement of this step [m], DIM: if the integrator keeps it */
-    AT_W = AT_U + DIM,  /* velocity in a filter's round [m/s], DIM: if the method has a filter */
-    AT_N = AT_W + DIM,  /* outward normal in the reference state, DIM: of surface points */
-    FIELDS = AT_N + DIM
+    AT_X0 = 0,           /* reference position [m], DIM of them */
+    AT_X = AT_X0 + DIM,  /* position [m] */
+    AT_V = AT_X + DIM,   /* velocity [m/s] */
+    AT_F = AT_V + DIM,   /* deformation gradient [-], NMAT of them */
+    AT_M = AT_F + NMAT,  /* mass [kg] */
+    AT_VOL = AT_M + 1,   /* reference volume [m^DIM] */
+    AT_L = AT_VOL + 1,   /* velocity gradient [1/s], NMAT: if the method keeps it */
+    AT_U = AT_L + NMAT,  /* displacement of this step [m], DIM: if the integrator keeps it */
+    AT_W = AT_U + DIM,   /* velocity in a filter's round [m/s], DIM: if the method has a filter */
+    AT_N = AT_W + DIM,   /* outward normal in the reference state, DIM: of surface points */
+    AT_OWN = AT_N + DIM, /* the method's own, MAX_OWN */
+    FIELDS = AT_OWN + MAX_OWN
 };
 
 typedef struct Particles {
@@ -54,17 +56,19 @@ typedef struct Stop {
 } Stop;
 
 typedef struct Grid {
-    int cells;                /* per unit length; h = 1/cells [m] */
-    int origin[DIM];          /* node index 0 lies at x = origin/cells */
-    int n[DIM];               /* nodes per axis, ghosts included */
-    int rows;                 /* n[1] n[2] ...: lines of nodes along axis 0 */
-    Line *node;               /* [rows * n[0]] lanes: dim.h */
-    Line *keep;               /* [rows * n[0]] what a velocity filter puts aside, or NULL */
-    Line zero;                /* an empty node */
-    double *force;            /* [rows * n[0]][DIM] body force [N], or NULL */
-    double *mass;             /* [rows * n[0]] copy for who looks at nodes, or NULL */
-    unsigned char *body;      /* [rows * n[0]] the node is the body's, for particles on nodes */
-    Axis axis[DIM];           /* where walls stand, for shapes that fold their weights there */
+    int cells;           /* per unit length; h = 1/cells [m] */
+    int origin[DIM];     /* node index 0 lies at x = origin/cells */
+    int n[DIM];          /* nodes per axis, ghosts included */
+    int rows;            /* n[1] n[2] ...: lines of nodes along axis 0 */
+    Line *node;          /* [rows * n[0]] lanes: dim.h */
+    Line *keep;          /* [rows * n[0]] what a velocity filter puts aside, or NULL */
+    Line zero;           /* an empty node */
+    double *force;       /* [rows * n[0]][DIM] body force [N], or NULL */
+    double *outward;     /* [rows * n[0]][DIM] sum of V dS/dx over the cells, which is the integral
+                          * of S n over their outer boundary [m^(DIM-1)]; or NULL */
+    double *mass;        /* [rows * n[0]] copy for who looks at nodes, or NULL */
+    unsigned char *body; /* [rows * n[0]] the node is the body's, for particles on nodes */
+    Axis axis[DIM];      /* where walls stand, for shapes that fold their weights there */
     unsigned char *hold[DIM]; /* [n[d]] bit a: component a is held at this index of axis d */
     Mirror mirror[2 * DIM];   /* by axis */
     int nmirror;
@@ -76,29 +80,43 @@ typedef struct Grid {
     int *live;    /* [rows] nodes with mass */
 } Grid;
 
+enum { BLOCK_ROWS = 8 };
+
+/* Most blocks that an order of particles may have. */
+static inline int grid_most_blocks(const Grid *g)
+{
+    return g->n[AXIS_LAST] / BLOCK_ROWS + 2;
+}
+
 typedef struct Sim {
     const Setup *setup;
     Method method; /* the run's own copy */
+    bool total;    /* FRAME_TOTAL: stencils, walls and symmetry lines stand in the reference */
+    Domain domain; /* undeformed in the reference */
     void *own;     /* the method's workspace, or NULL */
     Particles p;
     Grid g;
     Block *block;
-    int nblock, block_rows;
-    double ppc;       /* particles per cell, as placed */
-    double half;      /* l0/h: half width of an undeformed particle in cells */
-    double half_max;  /* widest half width that the stencils allow for, in cells */
-    double half_plan; /* the one that the current order and spans were made for */
-    double half_now;  /* widest now */
-    double key_shift; /* particles are sorted by floor(x + this), in cells */
-    double travel;    /* farthest any particle may have moved since the last sort, in cells */
-    double mass_cut;  /* nodes with less are empty [kg] */
-    double mass_body; /* nodes with less get no stress from particles on nodes [kg] */
-    long nodes, live; /* most live nodes so far; those of the last solve */
-    Vec impulse;      /* [kg m/s] given by body forces and walls so far */
-    double dx;        /* 1/cells [m] */
-    int surface;      /* surface particles, if the method has any */
-    long fallbacks;   /* nodes that fell back from their method's own rule, summed over steps */
-    Status status;    /* what ended the run: no step is taken after it */
+    int nblock, block_rows; /* of the last axis; at least BLOCK_ROWS, in 1D 8 times that */
+    double ppc;             /* particles per cell, as placed */
+    double half;            /* l0/h: half width of an undeformed particle in cells */
+    double half_max;        /* widest half width that the stencils allow for, in cells */
+    double half_plan;       /* the one that the current order and spans were made for */
+    double half_now;        /* widest now */
+    double key_shift;       /* particles are sorted by floor(x + this), in cells */
+    double travel;          /* farthest any particle may have moved since the last sort, in cells */
+    double mass_cut;        /* nodes with less are empty [kg] */
+    double mass_body;       /* nodes with less get no stress from particles on nodes [kg] */
+    long nodes, live;       /* most live nodes so far; those of the last solve */
+    Vec impulse;            /* [kg m/s] given by body forces and walls so far */
+    Vec outside;            /* [kg m/s] by body forces and tractions alone, if setup->reactions */
+    double dx;              /* 1/cells [m] */
+    double dt_before;       /* [s] of the step before; 0: none */
+    int surface;            /* surface particles, if the method has any */
+    long fallbacks;    /* nodes that fell back from their method's own rule, summed over steps */
+    struct Skin *skin; /* the surface under traction, or NULL */
+    bool moved;        /* the last step has moved the particles */
+    Status status;     /* what ended the run: no step is taken after it */
 } Sim;
 
 /* Places and allocates everything; NULL and a fault (2: parameters, 1: memory, before it is taken).
@@ -109,11 +127,34 @@ void sim_free(Sim *sim);
 /* Are order, spans and sizes consistent? For assertions and tests. */
 bool sim_is_valid(const Sim *sim);
 
+/* Fills the method's own fields from x and F, and finds the widest half width. */
+void sim_start_own(Sim *sim);
+int sim_own_count(const Method *method);
+
+/* L: dv/dx becomes dv/dX = dv/dx F. */
+void sim_refer_gradient(Particles *p);
+
+/* The grid as general weights see it; and a chunk in the frame of the weights: in the total one at
+ * its reference positions, undeformed. */
+Place sim_place(const Sim *sim);
+Chunk sim_weight_chunk(const Sim *sim, const Chunk *c);
+
 /* Sorts particles by cell, rebuilds blocks, padding and live spans; sort.c. */
 void sim_sort(Sim *sim);
 
-/* G = 0 for particles on nodes, whose slope is not the tent's; returns true; on_node.c. */
-bool on_node_clear_slopes(Stencil *stencil);
+/* The particles are new, and in no order: the next step checks and sorts them; sort.c. */
+void sim_restart(Sim *sim);
+
+/* Gives `to`, made for the same scene, the particles of `from`, whose method it follows;
+ * take_over.c. 0 or a fault. */
+int sim_take_over(Sim *to, Sim *from, Fault *fault);
+
+/* Everything that steps change; steps after it was read have the bits of those after it was
+ * written. stash.c. */
+void sim_stash(Sim *sim, Stash *s);
+
+/* G = 0 for particles on nodes, whose slope is not the tent's; on_node.c. */
+void on_node_clear_slopes(Stencil *stencil);
 
 /* What particles receive from a node of mass m in one pass: momentum m (a_share a + v_share v). */
 typedef struct Given {
@@ -131,6 +172,7 @@ void mirror_visit_pairs(Sim *sim, bool back, PairVisit *visit,
                         void *own); /* ghosts, their images */
 void mirror_unfold(Sim *sim, Given given);
 void mirror_spans(Grid *g);
+void mirror_set_walls(Sim *sim); /* walls as data of the grid: what is held, and mirrors by axis */
 void mirror_wall_images(
     Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */
 bool mirror_is_ghost_row(const Grid *g, int row,
@@ -160,7 +202,9 @@ static inline Chunk sim_chunk(const Sim *sim, int k)
     Chunk c = {.par = sim->setup->method_par,
                .m = p->field[AT_M] + at,
                .V0 = p->field[AT_VOL] + at,
-               .id = p->id + at};
+               .id = p->id + at,
+               .own = p->field + AT_OWN,
+               .first = at};
     for (int d = 0; d < DIM; d++) {
         c.X[d] = p->field[AT_X0 + d] + at;
         c.x[d] = p->field[AT_X + d] + at;

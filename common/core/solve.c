@@ -23,6 +23,17 @@ static void record_forces(Sim *sim, const Motion *m)
         }
 }
 
+/* Adds the momentum that the body forces on all nodes give: before symmetry folds them. */
+static void record_outside(Sim *sim, double dt)
+{
+    const Grid *g = &sim->g;
+    for (int row = 0; row < g->rows; row++)
+        for (int i = g->lo[row]; i < g->hi[row]; i++)
+            for (int a = 0; a < DIM; a++)
+                sim->outside[a] +=
+                    dt * g->force[((size_t)row * (size_t)g->n[0] + (size_t)i) * DIM + (size_t)a];
+}
+
 static unsigned row_hold(const Grid *g, int row)
 {
     unsigned held = 0;
@@ -133,6 +144,7 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
     for (int row = 0; row < g->rows; row++)
         for (int a = 0; a < DIM; a++) g->impulse[row][a] = 0;
     if (motion.early && force) record_forces(sim, &motion);
+    if (sim->setup->reactions && force && g->force) record_outside(sim, dt * scale);
     if (g->nmirror) mirror_fold(sim);
     if (sim->method.repair) sim->method.repair(sim, dt * scale);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)

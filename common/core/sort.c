@@ -5,13 +5,15 @@
 #include <math.h>
 #include <string.h>
 #include "passes.h"
+#include "stretch.h"
 
 /* Where every particle's stencil stands, per axis: its cell, or its nearest node if stencils are
  * about a node (odd widths), so that neighbours in the order share all their nodes. */
 static void find_keys(Sim *sim)
 {
     for (int d = 0; d < DIM; d++) {
-        const double *x = sim->p.field[AT_X + d], cells = sim->g.cells, shift = sim->key_shift;
+        const double *x = sim->p.field[(sim->total ? AT_X0 : AT_X) + d], cells = sim->g.cells,
+                     shift = sim->key_shift;
         const int origin = sim->g.origin[d];
         int *key = sim->p.key[d];
         for (int k = 0; k < sim->p.n; k++) key[k] = (int)floor(x[k] * cells + shift) - origin;
@@ -41,7 +43,7 @@ static int *cell_order(Sim *sim, int *buffer[2])
 
 static int block_of(const Sim *sim, int slot)
 {
-    return sim->p.key[DIM - 1][slot] / sim->block_rows;
+    return sim->p.key[AXIS_LAST][slot] / sim->block_rows;
 }
 
 /* Cuts the order at block borders; source[slot] is the old slot, or -1 - slot for padding. */
@@ -139,6 +141,12 @@ static void find_spans(Sim *sim, const int order[])
     mirror_spans(g);
 }
 
+void sim_restart(Sim *sim)
+{
+    sim_start_own(sim);
+    sim->travel = INFINITY;
+}
+
 void sim_sort(Sim *sim)
 {
     const bool first = isinf(sim->travel);
@@ -146,7 +154,7 @@ void sim_sort(Sim *sim)
     sim->half_plan = half ? 0.5 : fmin(1.25 * sim->half_now, sim->half_max);
     sim->key_shift = sim->method.about_node || sim->method.width(sim->half_plan) % 2 ? 0.5 : 0;
     const int reach = 2 * (sim->method.width(sim->half_plan) / 2) + 3;
-    const int least = DIM == 1 ? 64 : 8;
+    const int least = DIM == 1 ? 8 * BLOCK_ROWS : BLOCK_ROWS;
     sim->block_rows = (reach + least - 1) / least * least;
     int *buffer[2] = {sim->p.order, sim->p.source};
     find_keys(sim);

@@ -7,6 +7,7 @@
 #include <limits.h>
 #include <math.h>
 #include "passes.h"
+#include "skin.h"
 #include "step.h"
 
 typedef struct Pass {
@@ -125,6 +126,7 @@ static void impose_motion(Sim *sim, double t)
 static Status take_to_nodes(Sim *sim, const Pass *pass, double t, double dt, double scale)
 {
     deposit_all(sim, t, pass->force ? FORCES : MOTION);
+    if (pass->force && sim->skin) skin_deposit(sim, t);
     if (is_filtered(sim, pass)) filter_open(sim);
     solve_all(sim, dt, scale, pass->force);
     return sim->live == 0 ? without_support(sim) : (Status){OK, -1, 0};
@@ -133,6 +135,7 @@ static Status take_to_nodes(Sim *sim, const Pass *pass, double t, double dt, dou
 static Status take_to_particles(Sim *sim, const Pass *pass, double dt, bool last)
 {
     if (is_filtered(sim, pass)) filter_all(sim, dt, pass->force);
+    sim->moved = pass->take & (TAKE_X | MOVE_STASH);
     if (gather_all(sim, dt, pass->take | (sim->setup->refresh ? pass->fresh : 0))) {
         const Status status = sim_check(sim);
         if (status.code != OK) return status;
@@ -152,25 +155,41 @@ static Status worst_of(Sim *const body[], int n, int *culprit)
     return (Status){OK, -1, 0};
 }
 
+static void open_step(Sim *sim, double t)
+{
+    sim->moved = false;
+    if (sim->status.code == OK) sort_if_due(sim);
+    if (sim->status.code == OK) impose_motion(sim, t);
+}
+
+/* What the accelerations of this step are multiplied by. */
+static double find_scale(Sim *sim, double dt, bool first)
+{
+    const double before = first ? 0 : sim->dt_before > 0 ? sim->dt_before : dt;
+    sim->dt_before = dt;
+    return integrators[sim->setup->integrator].half_first ? 0.5 * (before + dt) / dt : 1;
+}
+
 Status sim_step_bodies(Sim *const body[], int n, double t, double dt, bool first, Meet *meet,
                        void *own, int *culprit)
 {
-    const Integrator integrator = body[0]->setup->integrator;
-    const double scale = first && integrators[integrator].half_first ? 0.5 : 1;
-    for (int b = 0; b < n; b++) {
-        if (body[b]->status.code == OK) sort_if_due(body[b]);
-        if (body[b]->status.code == OK) impose_motion(body[b], t);
-    }
-    for (int k = 0; k < 2 && integrators[integrator].pass[k].used; k++) {
-        const Pass *pass = &integrators[integrator].pass[k];
-        const bool last = k > 0 || !integrators[integrator].pass[1].used;
-        if (worst_of(body, n, culprit).code != OK) break;
-        for (int b = 0; b < n; b++) body[b]->status = take_to_nodes(body[b], pass, t, dt, scale);
-        if (worst_of(body, n, culprit).code != OK) break;
+    const Pass *passes = integrators[body[0]->setup->integrator].pass;
+    double scale[MAX_BODIES];
+    for (int b = 0; b < n; b++) open_step(body[b], t);
+    if (worst_of(body, n, culprit).code != OK) return worst_of(body, n, culprit);
+    for (int b = 0; b < n; b++) scale[b] = find_scale(body[b], dt, first);
+    for (int k = 0; k < 2 && passes[k].used; k++) {
+        const Pass *pass = &passes[k];
+        const bool last = k > 0 || !passes[1].used;
+        for (int b = 0; b < n; b++) body[b]->status = take_to_nodes(body[b], pass, t, dt, scale[b]);
+        if (worst_of(body, n, culprit).code != OK) return worst_of(body, n, culprit);
         if (meet) meet(own, dt, pass->force);
         for (int b = 0; b < n; b++) body[b]->status = take_to_particles(body[b], pass, dt, last);
+        if (worst_of(body, n, culprit).code != OK) return worst_of(body, n, culprit);
     }
-    return worst_of(body, n, culprit);
+    for (int b = 0; b < n; b++)
+        if (body[b]->skin) skin_move(body[b], t, dt);
+    return (Status){OK, -1, 0};
 }
 
 Status sim_step(Sim *sim, double t, double dt, bool first)

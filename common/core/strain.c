@@ -69,8 +69,21 @@ void strain_exponential(const Mat A, Mat out)
         exponential_space(A, out);
 }
 
+/* F += dt dv/dX */
+static void strain_reference(const Chunk *c, const Field sums[], double dt)
+{
+    for (int a = 0; a < DIM; a++)
+        for (int b = 0; b < DIM; b++)
+            for (int p = 0; p < CHUNK; p++)
+                c->F[a * DIM + b][p] += dt * sums[FLUX + b * DIM + a][p];
+}
+
 void strain_chunk(const Setup *setup, const Chunk *c, const Field sums[], double dt)
 {
+    if (setup->frame == FRAME_TOTAL) {
+        strain_reference(c, sums, dt);
+        return;
+    }
     const bool whole = setup->strain == STRAIN_EXPONENTIAL;
     const int rounds = whole ? 1 : setup->subcycles;
     for (int p = 0; p < CHUNK; p++) {

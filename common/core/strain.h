@@ -9,7 +9,8 @@
 void strain_exponential(const Mat A, Mat out);
 
 /* F of a chunk over dt [s] from L, gathered in the lanes FLUX + b DIM + a of sums [1/s]: exp(dt L)
- * F, or (I + dt L/k)^k F with k = setup->subcycles. */
+ * F, or (I + dt L/k)^k F with k = setup->subcycles. In the total frame the lanes hold dv/dX, and F
+ * += dt dv/dX. */
 void strain_chunk(const Setup *setup, const Chunk *c, const Field sums[], double dt);
 
 #endif

@@ -152,7 +152,7 @@ static int weight(const char *name, double x, double l, double *S, double *G)
     Stencil s;
     for (int p = 0; p < CHUNK; p++) at[p] = x + (double)MAX_WIDTH, half[p] = l;
     for (const Method *const *m = methods; *m; m++) {
-        if (strcmp((*m)->info.name, name)) continue;
+        if (strcmp((*m)->info.name, name) || (*m)->list) continue;
         const int width = (*m)->width(l);
         (*m)->shape(&open_axis, width, at, half, &s);
         const int node = MAX_WIDTH - s.base[0];

@@ -35,9 +35,14 @@ typedef struct Engine {
     int (*has_exact)(const char *problem);
 
     /* 1D weights S [-] and gradients G [1/m] that a particle at x with half width l (cell size 1,
-     * node at 0) gives that node, for drawing and for tests. 0, or -1 if the method is unknown. */
+     * node at 0) gives that node, for drawing and for tests. 0, or -1 if the method is unknown or
+     * its weights are no products of axes. */
     int (*weight)(const char *method, double x, double l, double *S, double *G);
 } Engine;
+
+/* A run has the status energy_growth if kinetic + strain energy - work rises by more than this part
+ * of the largest energy so far. */
+#define ENGINE_GROWTH 0.05
 
 extern const Engine engine_1d, engine_2d, engine_3d;
 extern const Engine *const engines[]; /* main's list, NULL-terminated */

@@ -1,23 +1,105 @@
-/* ledger.c: see ledger.h. Sums run in slot order, which no number of threads changes. */
+/* ledger.c: see ledger.h. Sums run over the 64 lanes of chunks, then over lanes and blocks of
+ * chunks in order: no number of threads changes them. */
 #include <math.h>
+#include <string.h>
 #include "ledger.h"
 
-double ledger_kinetic(const Points *p)
+/* Sums of one lane each. */
+typedef struct Lanes {
+    Field kinetic, speeds, p[DIM], strain;
+} Lanes;
+
+enum { BLOCK = 32 * CHUNK, SUMS = 3 + DIM };
+
+static int least_int(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static void add_motion(Lanes *restrict s, const double *m, const double *const v[DIM])
+{
+    for (int p = 0; p < CHUNK; p++) {
+        double square = 0;
+        for (int d = 0; d < DIM; d++) square += v[d][p] * v[d][p];
+        s->kinetic[p] += 0.5 * m[p] * square;
+        s->speeds[p] += m[p] * sqrt(square);
+        for (int d = 0; d < DIM; d++) s->p[d][p] += m[p] * v[d][p];
+    }
+}
+
+/* The slots from `at` on, at most a chunk; what is missing has no mass. */
+static void add_points(Lanes *s, const Points *q, int at)
+{
+    const int n = least_int(q->n - at, CHUNK);
+    const double *v[DIM];
+    Field rest[1 + DIM];
+    for (int d = 0; d < DIM; d++) v[d] = q->v[d] + at;
+    if (n == CHUNK) {
+        add_motion(s, q->m + at, v);
+        return;
+    }
+    memset(rest, 0, sizeof rest);
+    memcpy(rest[0], q->m + at, sizeof(double) * (size_t)n);
+    for (int d = 0; d < DIM; d++) memcpy(rest[1 + d], v[d], sizeof(double) * (size_t)n);
+    for (int d = 0; d < DIM; d++) v[d] = rest[1 + d];
+    add_motion(s, rest[0], v);
+}
+
+static void add_strain(Lanes *s, const Material *mat, const Samples *q, int at)
+{
+    const int n = least_int(q->n - at, CHUNK);
+    const double *F[NMAT];
+    Field psi;
+    for (int k = 0; k < NMAT; k++) F[k] = q->F[k] + at;
+    material_stored_energy(mat, n, F, psi);
+    for (int p = 0; p < n; p++) s->strain[p] += q->V0[at + p] > 0 ? q->V0[at + p] * psi[p] : 0;
+}
+
+static double sum_of(const Field lanes)
 {
     double sum = 0;
-    for (int k = 0; k < p->n; k++) {
-        double square = 0;
-        for (int d = 0; d < DIM; d++) square += p->v[d][k] * p->v[d][k];
-        sum += 0.5 * p->m[k] * square;
-    }
+    for (int p = 0; p < CHUNK; p++) sum += lanes[p];
     return sum;
 }
 
-double ledger_strain(const Scene *scene, const Samples *q, Scratch *s)
+Side ledger_motion(const Points *q, int threads, Scratch *scratch)
 {
-    double sum = 0;
-    material_stored_energy(&scene->mat, q->n, q->F, s->w);
-    for (int k = 0; k < q->n; k++) sum += q->V0[k] > 0 ? q->V0[k] * s->w[k] : 0;
+    const int blocks = (q->n + BLOCK - 1) / BLOCK;
+    double(*part)[SUMS] = (double(*)[SUMS])(void *)scratch->w;
+    Side out = {0};
+    (void)threads; /* without OpenMP */
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (int b = 0; b < blocks; b++) {
+        Lanes s;
+        memset(&s, 0, sizeof s);
+        for (int at = b * BLOCK; at < least_int(q->n, (b + 1) * BLOCK); at += CHUNK)
+            add_points(&s, q, at);
+        part[b][0] = sum_of(s.kinetic);
+        part[b][1] = sum_of(s.speeds);
+        for (int d = 0; d < DIM; d++) part[b][2 + d] = sum_of(s.p[d]);
+    }
+    for (int b = 0; b < blocks; b++) {
+        out.kinetic += part[b][0];
+        out.mv += part[b][1];
+        for (int d = 0; d < DIM; d++) out.p[d] += part[b][2 + d];
+    }
+    return out;
+}
+
+double ledger_strain(const Scene *scene, const Samples *q, int threads, Scratch *scratch)
+{
+    const int blocks = (q->n + BLOCK - 1) / BLOCK;
+    double *part = scratch->w, sum = 0;
+    (void)threads;
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (int b = 0; b < blocks; b++) {
+        Lanes s;
+        memset(s.strain, 0, sizeof s.strain);
+        for (int at = b * BLOCK; at < least_int(q->n, (b + 1) * BLOCK); at += CHUNK)
+            add_strain(&s, &scene->mat, q, at);
+        part[b] = sum_of(s.strain);
+    }
+    for (int b = 0; b < blocks; b++) sum += part[b];
     return sum;
 }
 
@@ -29,21 +111,6 @@ double ledger_work(const Scene *scene, const Points *p, ConstFields from, double
     for (int d = 0; d < DIM; d++)
         for (int k = 0; k < p->n; k++)
             if (p->m[k] > 0) sum += p->m[k] * s->v[d][k] * (p->x[d][k] - from[d][p->id[k]]);
-    return sum;
-}
-
-double ledger_momentum(const Points *p, Vec out)
-{
-    double sum = 0;
-    for (int d = 0; d < DIM; d++) out[d] = 0;
-    for (int k = 0; k < p->n; k++) {
-        double square = 0;
-        for (int d = 0; d < DIM; d++) {
-            out[d] += p->m[k] * p->v[d][k];
-            square += p->v[d][k] * p->v[d][k];
-        }
-        sum += p->m[k] * sqrt(square);
-    }
     return sum;
 }
 

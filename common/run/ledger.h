@@ -5,19 +5,27 @@
 
 #include "norm.h"
 
+/* Energy and momentum at a half step: before or after a time step. */
+typedef struct Side {
+    double kinetic, mv; /* [J] [kg m/s] sum m |v| */
+    Vec p;              /* [kg m/s] */
+} Side;
+
 /* Volume now, sum V0 J [m^DIM], and the extremes of J. */
 typedef struct Volumes {
     double sum, least, most;
 } Volumes;
 
 Volumes ledger_volumes(const Samples *q);
-double ledger_kinetic(const Points *p);                                 /* [J] */
-double ledger_strain(const Scene *scene, const Samples *q, Scratch *s); /* [J] */
+
+/* Kinetic energy and momentum; stored energy [J]. The scratch has room for the points, and at least
+ * for a chunk. */
+Side ledger_motion(const Points *p, int threads, Scratch *s);
+double ledger_strain(const Scene *scene, const Samples *q, int threads, Scratch *s);
 
 /* [kg m^2/s] Angular momentum about the centre of mass: in 2D only the component along z, in 1D
  * none; the others are NAN. */
 void ledger_angular_momentum(const Points *p, double out[3]);
-double ledger_momentum(const Points *p, Vec out); /* [kg m/s]; returns sum of m |v| */
 
 /* [J] Work of the body forces of time t on the way of each point from from[DIM][id]: sum of
  * m b(X, t) . (x - from). Velocities do not enter: FLIP particles do not move with their own. */

@@ -13,13 +13,10 @@ static Points points_of(const Loop *l)
     return p;
 }
 
-Side loop_measure_side(const Loop *l)
+Side loop_measure_side(Loop *l)
 {
     const Points p = points_of(l);
-    Side s;
-    s.kinetic = ledger_kinetic(&p);
-    s.mv = ledger_momentum(&p, s.p);
-    return s;
+    return ledger_motion(&p, l->plan->setup.threads, &l->scratch);
 }
 
 void loop_measure_state(Loop *l, Moment *m)
@@ -27,8 +24,9 @@ void loop_measure_state(Loop *l, Moment *m)
     Points p;
     Samples q;
     l->plan->solver->view(l->self, &p, &q);
-    m->strain = ledger_strain(&l->plan->scene, &q, &l->scratch);
+    m->strain = ledger_strain(&l->plan->scene, &q, l->plan->setup.threads, &l->scratch);
     if (!l->history) return;
+    probe_measure(&l->probes, &l->plan->scene, l->plan->solver, l->self, m->probe);
     const Volumes v = ledger_volumes(&q);
     m->volume = v.sum;
     m->least_J = v.least;
@@ -61,7 +59,7 @@ void loop_record_start(Loop *l, const Side *before, const Side *after, double st
     for (int k = 0; k < p.n; k++) l->noise += 16 * DBL_EPSILON * p.m[k] * pow(l->plan->scene.c, 2);
 }
 
-/* True if K + S - W exceeds its start by more than 5 % of the largest K + S so far, after
+/* True if K + S - W exceeds its start by more than ENGINE_GROWTH of the largest K + S so far, after
  * subtracting `open`, the part that the time step leaves undetermined: the mean of K(n-1/2) and
  * K(n+1/2) exceeds K at t_n by a quarter of the energy of_change, and under a force that rises from
  * zero the trapezoidal rule misses as much of W. `noise` is the round-off of stored energy, whose
@@ -78,7 +76,17 @@ static bool is_growth(Loop *l, const Moment *m, double open)
     l->counted = now;
     l->most = larger(l->most, own.kinetic + m->strain);
     if (l->done == 0) return false; /* the start is what growth is measured from */
-    return own.kinetic + m->strain - m->work - l->base - own.open > 0.05 * l->most + l->noise;
+    return own.kinetic + m->strain - m->work - l->base - own.open >
+           ENGINE_GROWTH * l->most + l->noise;
+}
+
+/* Time over which the accelerations of this step act: from the middle of the step before, where the
+ * integrator takes a half first step. */
+static double loop_kick(const Loop *l)
+{
+    if (!step_half_first(l->plan->setup.integrator)) return l->dt;
+    if (l->instants == 0) return 0.5 * l->dt;
+    return l->dt_before > 0 ? 0.5 * (l->dt_before + l->dt) : l->dt;
 }
 
 /* Remembers the step, and the fastest point, which the row's reason names. */
@@ -86,6 +94,7 @@ static void note_growth(Loop *l)
 {
     const Points p = points_of(l);
     l->growth_step = l->done;
+    l->growth_t = l->t;
     l->fastest = ledger_fastest_point(&p, &l->speed);
 }
 
@@ -93,7 +102,11 @@ void loop_record_energy(Loop *l, Moment *m, const Side *before, const Side *afte
 {
     const double stored = m->kinetic + m->strain;
     m->work = l->work;
-    l->now = stored - l->work;
+    l->now = stored - m->work;
+    if (l->history) {
+        probe_reactions(&l->reactions, &l->plan->scene, l->plan->solver, l->self, loop_kick(l),
+                        m->wall);
+    }
     if (l->instants++ == 0) l->start = l->now;
     l->largest = larger(l->largest, stored);
     if (is_growth(l, m, 0.5 * of_change(before, after)) && l->growth_step < 0) note_growth(l);
@@ -105,6 +118,7 @@ void loop_record_momentum(Loop *l, const Side *after)
     Vec impulse;
     double square = 0;
     l->plan->solver->impulse(l->self, impulse);
+    for (int d = 0; d < DIM; d++) impulse[d] += l->given[d];
     for (int d = 0; d < DIM; d++) square += pow(after->p[d] - l->p0[d] - impulse[d], 2);
     l->drift = larger(l->drift, sqrt(square));
     l->momentum = larger(l->momentum, after->mv);
@@ -128,6 +142,7 @@ bool loop_open(Loop *l)
 {
     const Points p = points_of(l);
     bool ok = true;
+    if (!l->plan->scene.problem->body) return true;
     for (int d = 0; d < DIM; d++)
         ok = (l->from[d] = malloc(sizeof(double) * (size_t)(p.n + 1))) && ok;
     if (ok) keep_positions(l, &p);
@@ -136,7 +151,7 @@ bool loop_open(Loop *l)
 
 void loop_close(Loop *l)
 {
-    for (int d = 0; d < DIM; d++) free(l->from[d]);
+    for (int d = 0; d < DIM; d++) free(l->from[d]), l->from[d] = NULL;
 }
 
 /* Work of body forces over the step from t to t + dt: the mean of their values at both times. */
@@ -145,21 +160,11 @@ void loop_record_work(Loop *l, double t)
     const Scene *scene = &l->plan->scene;
     const Points p = points_of(l);
     const double *const *from = (const double *const *)l->from;
-    l->work += 0.5 * (ledger_work(scene, &p, from, t, &l->scratch) +
-                      ledger_work(scene, &p, from, t + l->dt, &l->scratch));
-    if (l->plan->solver->friction) {
-        const double friction = l->plan->solver->friction(l->self);
-        l->work += friction - l->friction;
-        l->friction = friction;
+    if (scene->problem->body) {
+        l->bodies += 0.5 * (ledger_work(scene, &p, from, t, &l->scratch) +
+                            ledger_work(scene, &p, from, t + l->dt, &l->scratch));
+        keep_positions(l, &p);
     }
-    keep_positions(l, &p);
-}
-
-bool loop_has_moved(const Loop *l)
-{
-    const Points p = points_of(l);
-    for (int d = 0; d < DIM; d++)
-        for (int k = 0; k < p.n; k++)
-            if (p.id[k] >= 0 && !(p.x[d][k] == l->from[d][p.id[k]])) return true;
-    return false;
+    const bool more = scene->traction || scene->problem->part;
+    l->work = l->bodies + (more ? l->plan->solver->work(l->self) : 0);
 }

@@ -6,28 +6,43 @@
 #include "ledger.h"
 #include "output.h"
 #include "plan.h"
+#include "probe.h"
 #include "snapshot.h"
-
-/* Energy and momentum at a half step: before or after a time step. */
-typedef struct Side {
-    double kinetic, mv; /* [J] [kg m/s] sum m |v| */
-    Vec p;              /* [kg m/s] */
-} Side;
 
 /* Kinetic energy of one instant, and the part of it that the time step leaves undetermined [J]. */
 typedef struct Counted {
     double kinetic, open;
 } Counted;
 
+/* Where the run's state goes and comes from, or NULL. */
+typedef struct Save {
+    const char *path, *resume;
+    double every_s, last; /* [s] between two; stopwatch_wall of the last one */
+    double began, spent;  /* [s] stopwatch_wall at the start; run time before the resumption */
+    char command[SPEC_TEXT];
+    unsigned long program;
+} Save;
+
 typedef struct Loop {
     const Plan *plan;
+    const volatile sig_atomic_t *stop; /* RunSpec.stop */
     void *self;
+    Handover handover; /* AT_NEVER: none, */
+    long taken_over;   /*   steps done before it; -1: not yet */
+    double taken_at;   /* [s] then */
+    Counts earlier;    /*   what the first method has counted, */
+    Vec given;         /*   and the impulse that it got [kg m/s] */
+    Stash undo;        /* AT_INVERTED: the particles before the step under way */
+    Save save;
     Scratch scratch;
     FILE *history;
     Snapshots shots; /* dir NULL: none are asked for */
     int code;        /* 0, or what went wrong with an output */
     Fault *fault;
-    double dt;
+    double dt;                  /* [s] of this step, */
+    double dt_before;           /*   of the one before, 0: none; */
+    double t;                   /*   its start */
+    double unit_dt;             /* [s] h/c, or what the solver has instead */
     long n, done;               /* steps planned and finished */
     double cpu, wall;           /* [s] inside the solver's step */
     Errors worst;               /* running maxima */
@@ -36,24 +51,37 @@ typedef struct Loop {
     Counted counted;            /* of the instant before */
     double noise;               /* [J] round-off of stored energy */
     long instants;              /* whose energy is recorded */
-    double work;                /* [J] of body forces on the steps finished */
-    double friction;            /* [J] work of friction that `work` has */
-    double *from[DIM];          /* [m] positions by id after the last finished step; owned */
+    double bodies, work;        /* [J] of body forces on the steps finished; of all */
+    double *from[DIM]; /* [m] positions by id after the last step, for work; owned, or NULL */
     Vec p0;
     double drift, momentum; /* largest |p - p0 - impulse|, largest sum m |v| */
     Status status;
     double failed_at; /* [s] */
+    double growth_t;  /* [s] of the */
     long growth_step; /* first step with too much energy, or -1 */
     int fastest;      /* point then, and its speed [m/s] */
     double speed;
     Moment last; /* what is known of the last instant */
+    Probes probes;
+    Reactions reactions;
 } Loop;
+
+/* The constant step and the number of steps; with dt=adaptive the next step (the last two share
+ * what is left, so that t_end is met exactly). pace.c. */
+void pace_choose(Loop *l);
+void pace_adapt(Loop *l);
+
+/* Is t_end, or the last step, reached? End [s] of the step under way; the last one ends at t_end in
+ * every bit. Share of the second of two half steps in the instant between them. */
+bool pace_is_over(const Loop *l);
+double pace_end_of_step(const Loop *l);
+double pace_share_after(const Loop *l);
 
 /* Stores the positions of all points for loop_record_work; frees them. false: out of memory. */
 bool loop_open(Loop *l);
 void loop_close(Loop *l);
 
-Side loop_measure_side(const Loop *l);
+Side loop_measure_side(Loop *l);
 void loop_measure_state(Loop *l,
                         Moment *m); /* what depends on positions and F: energy, volume, ... */
 
@@ -66,8 +94,30 @@ void loop_record_momentum(Loop *l, const Side *after);
 void loop_record_work(Loop *l, double t); /* of the step from t that has just been finished */
 void loop_record_errors(Loop *l, Errors e);
 
-/* True if any point has moved since the last finished step. (A failed step may have moved some.) */
-bool loop_has_moved(const Loop *l);
+/* Hand-over, before step `done` is taken: is it due; do it, with *before as it is then. False: a
+ * fault, in l->code. relay.c. */
+bool relay_is_due(const Loop *l);
+bool relay_take_over(Loop *l, Side *before);
+
+/* Keeps what the step to come may break, and whether a step that broke it is to be taken again by
+ * the second method. */
+void relay_before_step(Loop *l);
+bool relay_rescues(Loop *l, Side *before);
+
+/* The same as relay_take_over by a run that resumes behind it: the particles come from its file. */
+bool relay_go_on(Loop *l);
+
+/* --checkpoint FILE --every-s N, --resume FILE: rows, histories and particles of a run that was
+ * resumed have the bits of those of the whole run; checkpoint.c. */
+/* Between two steps: writes the state if it is time, or `now`. *m, *before: the instant reached. A
+ * fault goes to l->code. */
+void checkpoint_write(Loop *l, Moment *m, Side *before, bool now);
+
+/* The state from the file that the run resumes from. 0 or a fault. */
+int checkpoint_read(Loop *l, Moment *m, Side *before);
+
+/* Room for the largest number of slots that particles may need; false: none. run.c. */
+bool loop_fit_scratch(Loop *l);
 
 /* Fill the row: the run's inputs, its numbers of particles and nodes, its results. */
 void report_inputs(const RunSpec *spec, const Plan *plan, Row *row);

@@ -37,17 +37,31 @@ static Errors norms(int n, const double e[], const double w[])
     return (Errors){most, sqrt(square / weight), sum / weight};
 }
 
-Errors norm_displacement(const Scene *scene, const Points *p, double t, Scratch *s)
+/* Of the slots from `at` on, at most n: e over the scale, into s->w. */
+static void displacement_errors(const Scene *scene, const Points *p, double t, int at, int n,
+                                Scratch *s)
 {
-    scene->problem->exact(scene, p->n, p->X, t, s->v);
-    for (int k = 0; k < p->n; k++) {
+    const double *X[DIM];
+    double *u[DIM];
+    for (int d = 0; d < DIM; d++) X[d] = p->X[d] + at, u[d] = s->v[d] + at;
+    if (n > p->n - at) n = p->n - at;
+    scene->problem->exact(scene, n, X, t, u);
+    for (int k = 0; k < n; k++) {
         double square = 0;
         for (int d = 0; d < DIM; d++) {
-            const double e = p->x[d][k] - p->X[d][k] - s->v[d][k];
+            const double e = p->x[d][at + k] - X[d][k] - u[d][k];
             square += e * e;
         }
-        s->w[k] = sqrt(square) / scene->error_scale;
+        s->w[at + k] = sqrt(square) / scene->error_scale;
     }
+}
+
+Errors norm_displacement(const Scene *scene, const Points *p, double t, int threads, Scratch *s)
+{
+    enum { BLOCK = 16 * CHUNK };
+    (void)threads; /* without OpenMP */
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (int at = 0; at < p->n; at += BLOCK) displacement_errors(scene, p, t, at, BLOCK, s);
     return norms(p->n, s->w, p->V0);
 }
 

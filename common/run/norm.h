@@ -24,7 +24,7 @@ bool norm_scratch_fit(Scratch *s, int n); /* false: out of memory */
 void norm_scratch_free(Scratch *s);
 
 /* e = |x - X - u_exact(X, t)|, W11 eq 38; leaves each point's e over the scale in s->w. */
-Errors norm_displacement(const Scene *scene, const Points *p, double t, Scratch *s);
+Errors norm_displacement(const Scene *scene, const Points *p, double t, int threads, Scratch *s);
 
 /* e = |v_i - v(x_i)| / |v(x_i)| over nodes with mass inside the body, equal weights, W07 eq 3.1. */
 Errors norm_projection(const Scene *scene, const Nodes *n, Scratch *s);

@@ -1,5 +1,6 @@
 /* output.c: see output.h. Columns are the same in every dimension; absent ones stay empty. */
 #include <math.h>
+#include <stdlib.h>
 #include "output.h"
 #include "state.h"
 #include "common/base/table.h"
@@ -15,12 +16,28 @@ static double axis(const double *const v[DIM], int a, int k)
     return a < DIM ? v[a % DIM][k] : NAN;
 }
 
-void output_history_header(FILE *out)
+void output_history_header(FILE *out, int nprobe, int nwall)
 {
+    static const char *const columns[] = {"ux",  "uy",  "uz",  "sxx", "syy",
+                                          "szz", "sxy", "sxz", "syz"};
     fputs(
         "t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume,least_J,most_J,angular,pz,"
-        "angular_x,angular_y,angular_z\n",
+        "angular_x,angular_y,angular_z",
         out);
+    for (int n = 1; n <= nprobe; n++)
+        for (int k = 0; k < PROBE_COLUMNS; k++) fprintf(out, ",probe%d_%s", n, columns[k]);
+    for (int n = 1; n <= nwall; n++)
+        for (int k = 0; k < 3; k++) fprintf(out, ",wall%d_f%c", n, "xyz"[k]);
+    fputs("\n", out);
+}
+
+/* With a comma before each. */
+static void numbers(FILE *out, const double x[], int n)
+{
+    for (int k = 0; k < n; k++) {
+        fputs(",", out);
+        number(out, x[k], "");
+    }
 }
 
 /* In 2D angular momentum is one number, in a column of its own. */
@@ -33,19 +50,22 @@ void output_history_line(FILE *out, const Moment *m)
                               m->work,
                               m->kinetic + m->strain,
                               p[0],
-                              DIM > 1 ? p[DIM > 1] : NAN,
+                              DIM > 1 ? p[AXIS_Y] : NAN,
                               m->error_linf,
                               m->dt,
                               m->volume,
                               m->least_J,
                               m->most_J,
                               DIM == 2 ? L[2] : NAN,
-                              DIM > 2 ? p[DIM - 1] : NAN,
+                              DIM > 2 ? p[AXIS_LAST] : NAN,
                               DIM > 2 ? L[0] : NAN,
                               DIM > 2 ? L[1] : NAN,
                               DIM > 2 ? L[2] : NAN};
     const int n = sizeof columns / sizeof *columns;
-    for (int k = 0; k < n; k++) number(out, columns[k], k + 1 < n ? "," : "\n");
+    for (int k = 0; k < n; k++) number(out, columns[k], k + 1 < n ? "," : "");
+    numbers(out, m->probe[0], m->nprobe * PROBE_COLUMNS);
+    numbers(out, m->wall[0], m->nwall * 3);
+    fputs("\n", out);
 }
 
 /* Component k of a row of three, empty beyond DIM. */
@@ -69,8 +89,13 @@ static void state_line(FILE *out, const State *s, int k)
     number(out, s->energy[k], ",");
     const double in_space[] = {s->X[k][2], s->x[k][2], s->v[k][2], f[2], f[5],
                                f[6],       f[7],       f[8],       t[2], t[5]};
-    for (int c = 0; c < 10; c++) number(out, DIM > 2 ? in_space[c] : NAN, ",");
-    fprintf(out, "%d\n", s->body[k]);
+    for (int c = 0; c < 10; c++) number(out, DIM > 2 ? in_space[c] : NAN, c < 9 ? "," : "");
+    if (s->body) fprintf(out, ",%d", s->body[k]);
+    for (int own = 0; s->own_name && s->own_name[own]; own++) {
+        fputs(",", out);
+        number(out, s->own[(size_t)own * ((size_t)s->n + 1) + (size_t)k], "");
+    }
+    fputs("\n", out);
 }
 
 static int write_state(const char *path, const State *s, Fault *fault)
@@ -78,8 +103,11 @@ static int write_state(const char *path, const State *s, Fault *fault)
     FILE *out = file_begin(path, fault);
     if (!out) return FAULT_MACHINE;
     fputs("id,X,Y,x,y,vx,vy,Fxx,Fxy,Fyx,Fyy,sxx,syy,sxy,szz,von_mises,mass,surface,energy,"
-          "Z,z,vz,Fxz,Fyz,Fzx,Fzy,Fzz,sxz,syz,body\n",
+          "Z,z,vz,Fxz,Fyz,Fzx,Fzy,Fzz,sxz,syz",
           out);
+    if (s->body) fputs(",body", out);
+    for (int f = 0; s->own_name && s->own_name[f]; f++) fprintf(out, ",%s", s->own_name[f]);
+    fputs("\n", out);
     for (int k = 0; k < s->n; k++) state_line(out, s, k);
     return file_commit(out, path, fault);
 }
@@ -138,7 +166,7 @@ static void patch_lines(void *own, const Patch *patch)
         fprintf(p->out, "%d,%d,", p->cells - 1, k);
         for (int d = 0; d < 2 && d < DIM; d++) number(p->out, patch->corner[k][d], ",");
         fputs(patch->cut ? "1" : "0", p->out);
-        if (DIM > 2) fprintf(p->out, ",%.17g,%d", patch->corner[k][DIM - 1], patch->face);
+        if (DIM > 2) fprintf(p->out, ",%.17g,%d", patch->corner[k][AXIS_LAST], patch->face);
         fputs("\n", p->out);
     }
 }
@@ -150,4 +178,38 @@ int output_patches(const char *path, const Solver *solver, const void *self, Fau
     fputs(DIM > 2 ? "cell,k,x,y,cut,z,face\n" : "cell,k,x,y,cut\n", p.out);
     solver->patches(self, patch_lines, &p);
     return file_commit(p.out, path, fault);
+}
+
+/* slot[id] of points with mass, -1 for others, so that rows come in placement order. */
+static int *slots_with_mass(const Points *p, int *count)
+{
+    int *slot = malloc(sizeof(int) * (size_t)(p->n + 1));
+    *count = 0;
+    for (int k = 0; slot && k < p->n; k++) slot[k] = -1;
+    for (int k = 0; slot && k < p->n; k++) {
+        if (p->id[k] < 0) continue;
+        slot[p->id[k]] = p->m[k] > 0 ? k : -1;
+        if (p->id[k] >= *count) *count = p->id[k] + 1;
+    }
+    return slot;
+}
+
+int output_errors(const char *path, const Scene *scene, const Points *p, double t, Scratch *s,
+                  Fault *fault)
+{
+    int count, *slot = slots_with_mass(p, &count);
+    if (!slot) return fault_set(fault, FAULT_MACHINE, "out of memory writing %s", path);
+    FILE *out = file_begin(path, fault);
+    norm_displacement(scene, p, t, 1, s);
+    if (out) fputs("id,X,Y,error,weight,Z\n", out);
+    for (int id = 0; out && id < count; id++) {
+        const int k = slot[id];
+        if (k < 0) continue;
+        const double cells[] = {p->X[0][k], DIM > 1 ? p->X[AXIS_Y][k] : NAN, s->w[k], p->V0[k],
+                                DIM > 2 ? p->X[AXIS_LAST][k] : NAN};
+        fprintf(out, "%d,", id);
+        for (int c = 0; c < 5; c++) number(out, cells[c], c < 4 ? "," : "\n");
+    }
+    free(slot);
+    return out ? file_commit(out, path, fault) : FAULT_MACHINE;
 }

@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 #include "norm.h"
+#include "common/base/spec.h"
 #include "common/contract/solver.h"
 
 /* One instant of a run. */
@@ -14,9 +15,12 @@ typedef struct Moment {
     double error_linf, dt;
     double volume, least_J, most_J; /* [m^DIM] sum V0 J; [-] its extremes */
     double angular[3]; /* [kg m^2/s] about the centre of mass, of v half a step before x */
+    int nprobe, nwall; /* of the rows below that are used */
+    double probe[SPEC_PROBES][PROBE_COLUMNS]; /* [m] [Pa]; NAN: absent in this dimension */
+    double wall[MAX_WALLS][3];                /* [N] force of each wall on the body */
 } Moment;
 
-void output_history_header(FILE *out);
+void output_history_header(FILE *out, int nprobe, int nwall);
 void output_history_line(FILE *out, const Moment *m);
 
 /* All points in placement order. 0 or a fault (1: memory, disk). */

@@ -13,13 +13,6 @@ static int param_count(const Param *p)
     return n;
 }
 
-static const Param *param_find(const Param *p, const char *name)
-{
-    for (; p && p->name; p++)
-        if (strcmp(p->name, name) == 0) return p;
-    return NULL;
-}
-
 static int whole(const char *name, double value, Fault *fault)
 {
     if (value == floor(value)) return 0;
@@ -46,8 +39,9 @@ static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
                             plan->second ? plan->second->params : NULL};
     const char *names[4 * MAX_PARAMS];
     int n = 0;
+    if (handover_is_setting(name)) return 0;
     for (int l = 0; l < 4; l++) {
-        if (param_find(lists[l], name)) return 0;
+        if (info_param_find(lists[l], name)) return 0;
         for (int k = 0; k < param_count(lists[l]); k++) names[n++] = lists[l][k].name;
     }
     return fault_set(
@@ -121,9 +115,17 @@ static bool needs_surface(const Setup *s)
  * given? Then its name cannot say both. */
 static bool has_two_defaults(const RunSpec *spec, const Plan *plan, const char *name)
 {
-    const Param *a = param_find(plan->method->params, name);
-    const Param *b = plan->second ? param_find(plan->second->params, name) : NULL;
+    const Param *a = info_param_find(plan->method->params, name);
+    const Param *b = plan->second ? info_param_find(plan->second->params, name) : NULL;
     return a && b && fabs(a->value - b->value) > 0 && !spec_get(spec, name);
+}
+
+/* Value of a run setting that is not typed, in this run. */
+static double usual_value(const Param *p, const Setup *s)
+{
+    if (p == &settings_common[P_LAYOUT]) return needs_surface(s);
+    if (p == &settings_common[P_FRAME]) return settings_usual_frame(s);
+    return p->value;
 }
 
 /* Adds every parameter of problem and method to the spec, which then selects this run alone. */
@@ -140,15 +142,14 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
             snprintf(pair, sizeof pair, "%s=%s", lists[l][k].name, text);
             if (spec_set(spec, pair, fault)) return FAULT_USAGE;
         }
-    const double usual = needs_surface(&plan->setup);
     int n = 0; /* drops run settings that equal their default or are stored in another field; keeps
                 * `dim`, because without it the command would select another run */
     for (int k = 0; k < spec->nset; k++) {
-        const Param *p = param_find(settings_common, spec->set[k].name);
+        const Param *p = info_param_find(settings_common, spec->set[k].name);
         double value = 0;
         char takes[128];
         const bool read = p && !info_param_parse(p, spec->set[k].value, &value, takes);
-        const double known = p == &settings_common[P_LAYOUT] ? usual : p ? p->value : 0;
+        const double known = p ? usual_value(p, &plan->setup) : 0;
         const bool differs = p == &settings_common[P_DIM] || fabs(value - known) > 0;
         const bool keep = !p || (p != &settings_common[P_PARTICLES] && read && differs);
         if (!keep) continue;
@@ -185,6 +186,12 @@ static int choose_times(RunSpec *spec, Plan *plan, Fault *fault)
 {
     const Problem *problem = plan->scene.problem;
     if (problem->projection) {
+        if (plan->adaptive)
+            return fault_set(
+                fault, FAULT_USAGE,
+                "--set dt: got 'adaptive', takes a scene in motion, and %s has no time "
+                "steps",
+                spec->problem);
         plan->cfl = plan->t_end = 0;
         spec->cfl = spec->t_end = 0;
         return 0;
@@ -200,42 +207,6 @@ static int choose_times(RunSpec *spec, Plan *plan, Fault *fault)
     if (steps < 2e9) return 0;
     return fault_set(fault, FAULT_USAGE, "--cfl: %g to t = %g takes %.3g steps, more than 2e9",
                      spec->cfl, spec->t_end, steps);
-}
-
-int plan_no_exact_motion(const RunSpec *spec, Fault *fault)
-{
-    return fault_set(fault, FAULT_USAGE,
-                     "--errors: got '%s', takes a scene in motion with an exact solution",
-                     spec->errors);
-}
-
-/* Outputs that this run cannot have are refused before it begins. */
-static int check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
-{
-    const Solver *solver = plan->solver;
-    const bool polygons = solver->elements || (plan->setup.method && plan->setup.method->patches) ||
-                          (plan->setup.method_b && plan->setup.method_b->patches);
-    const char *name = plan->method->name;
-    if (plan->scene.problem->projection && !solver->project)
-        return fault_set(fault, FAULT_USAGE,
-                         "--method: got '%s', which projects nothing onto a grid", name);
-    if (spec->history && plan->scene.problem->projection)
-        return fault_set(fault, FAULT_USAGE,
-                         "--history: got '%s', takes a scene in motion, and %s has no time steps",
-                         spec->history, spec->problem);
-    if (spec->errors && (!plan->scene.problem->exact || plan->scene.problem->projection))
-        return plan_no_exact_motion(spec, fault);
-    if (spec->nodes && !solver->nodes)
-        return fault_set(fault, FAULT_USAGE,
-                         "--nodes: got '%s', takes a method with a grid, not %s", spec->nodes,
-                         name);
-    if (spec->patches && !(DIM > 1 && solver->patches && polygons))
-        return fault_set(
-            fault, FAULT_USAGE,
-            "--patches: got '%s', takes two or three dimensions and a method with polygons, "
-            "not %s in %dD",
-            spec->patches, name, DIM);
-    return 0;
 }
 
 int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
@@ -257,7 +228,8 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
         read_params(spec, plan->method->params, plan->method_par, fault) ||
         read_params(spec, plan->second ? plan->second->params : NULL, plan->second_par, fault) ||
         make_scene(spec, plan, fault) || settings_integrator(spec, plan, run, fault) ||
-        settings_strain(spec, plan, run, fault) || check_outputs(spec, plan, fault))
+        settings_strain(spec, plan, run, fault) || settings_frame(spec, plan, run, fault) ||
+        plan_check_outputs(spec, plan, fault))
         return FAULT_USAGE;
     s->scene = &plan->scene;
     s->method_par = plan->method_par;
@@ -265,11 +237,14 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     s->cells = (int)spec->cells;
     s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : needs_surface(s);
     s->threads = spec->threads > 0 ? spec->threads : 1;
+    s->reactions = spec->history != NULL;
     s->snapshot_nodes = plan->scene.problem->projection || spec->nodes || spec->vtk;
     plan->steps = (long)run[P_STEPS];
+    plan->adaptive = run[P_DT] > 0;
     plan->stop_growth = run[P_STOP] > 0;
+    Handover handover;
     if (choose_ppc(spec, plan, run, fault) || choose_times(spec, plan, fault) ||
-        spell_out(spec, plan, fault))
+        handover_plan(spec, plan, &handover, fault) || spell_out(spec, plan, fault))
         return FAULT_USAGE;
     return 0;
 }

@@ -17,12 +17,34 @@ typedef struct Plan {
     double problem_par[MAX_PARAMS], method_par[MAX_PARAMS], second_par[MAX_PARAMS];
     double cfl, t_end;
     long steps;       /* stop after so many; 0: no limit */
+    bool adaptive;    /* the step is chosen anew every time, W11 eq 34 */
     bool stop_growth; /* energy growth ends the run */
     char params[512]; /* "name=value;..." sorted */
 } Plan;
 
+/* A run that goes on with another method on the same particles: --then METHOD --at WHEN, --then-set
+ * NAME=VALUE. In a spec these are settings: then, at, then_NAME, so that a row's parameters make
+ * the run again. */
+typedef enum { AT_NEVER, AT_TIME, AT_INVERTED, AT_J } HandoverAt;
+
+typedef struct Handover {
+    HandoverAt at;
+    double value; /* [s], or J */
+    Plan plan;    /* of the second method */
+} Handover;
+
+/* Is a setting of this name part of a hand-over? */
+bool handover_is_setting(const char *name);
+
+/* The hand-over of a resolved first plan, and its settings printed as they are read. at is AT_NEVER
+ * without --then. 0 or a fault: what makes no sense together. */
+int handover_plan(RunSpec *spec, const Plan *first, Handover *out, Fault *fault);
+
 /* Fills *plan, and every default in *spec. 0 or a fault. */
 int plan_make(RunSpec *spec, Plan *plan, Fault *fault);
+
+/* Refuses outputs and settings that this run cannot have; 0 or a fault. plan_check.c. */
+int plan_check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault);
 
 /* The refusal of --errors where no exact motion is known. */
 int plan_no_exact_motion(const RunSpec *spec, Fault *fault);

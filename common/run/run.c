@@ -6,16 +6,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 #include "loop.h"
+#include "common/base/stopwatch.h"
 #include "common/base/table.h"
-
-static double seconds(clockid_t clock)
-{
-    struct timespec t;
-    clock_gettime(clock, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static Errors errors_now(Loop *l, double t)
 {
@@ -23,22 +16,22 @@ static Errors errors_now(Loop *l, double t)
     Samples q;
     if (!l->plan->scene.problem->exact) return (Errors){NAN, NAN, NAN};
     l->plan->solver->view(l->self, &p, &q);
-    return norm_displacement(&l->plan->scene, &p, t, &l->scratch);
+    return norm_displacement(&l->plan->scene, &p, t, l->plan->setup.threads, &l->scratch);
 }
 
 static void take_step(Loop *l, double t)
 {
-    const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+    const double cpu = stopwatch_cpu(), wall = stopwatch_wall();
     l->status = l->plan->solver->step(l->self, t, l->dt, l->done == 0);
-    l->cpu += seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
-    l->wall += seconds(CLOCK_MONOTONIC) - wall;
+    l->cpu += stopwatch_cpu() - cpu;
+    l->wall += stopwatch_wall() - wall;
 }
 
 static void shoot(Loop *l, long step, bool last)
 {
     if (l->shots.dir && !l->code)
         l->code = snapshot_take(&l->shots, &l->plan->scene, l->plan->solver, l->self, step,
-                                (double)step * l->dt, last, l->fault);
+                                step > l->done ? pace_end_of_step(l) : l->t, last, l->fault);
 }
 
 static bool grown(const Loop *l)
@@ -46,29 +39,61 @@ static bool grown(const Loop *l)
     return l->plan->stop_growth && l->growth_step >= 0;
 }
 
+static bool stopped(const Loop *l)
+{
+    return l->stop && *l->stop && !pace_is_over(l) && !grown(l);
+}
+
+/* Instant 0; or, of a run that resumes, the one that it has reached. */
+static void begin(Loop *l, Moment *m, Side *before)
+{
+    if (l->save.resume) {
+        l->code = checkpoint_read(l, m, before);
+        return;
+    }
+    *before = loop_measure_side(l);
+    memcpy(l->p0, before->p, sizeof l->p0);
+    l->momentum = before->mv;
+    *m = (Moment){.dt = l->dt,
+                  .error_linf = errors_now(l, 0).linf,
+                  .nprobe = l->probes.n,
+                  .nwall = l->plan->scene.nwall};
+    loop_measure_state(l, m);
+    if (l->shots.dir)
+        l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
+}
+
+/* Kinetic energy and momentum between two half steps, with the share w of the second. */
+static void centre(Moment *m, const Side *before, const Side *after, double w)
+{
+    m->kinetic = (1 - w) * before->kinetic + w * after->kinetic;
+    for (int d = 0; d < DIM; d++) m->momentum[d] = (1 - w) * before->p[d] + w * after->p[d];
+}
+
 /* Instants 0 .. n. The kinetic energy of instant k is known after step k. */
 static void run_steps(Loop *l)
 {
-    Side before = loop_measure_side(l);
-    memcpy(l->p0, before.p, sizeof l->p0);
-    l->momentum = before.mv;
-    Moment m = {.dt = l->dt, .error_linf = errors_now(l, 0).linf};
-    loop_measure_state(l, &m);
-    if (l->shots.dir)
-        l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
-    for (; l->done < l->n && !grown(l) && !l->code; l->done++) {
-        const double t = (double)l->done * l->dt;
+    Side before;
+    Moment m;
+    begin(l, &m, &before);
+    for (; !pace_is_over(l) && !grown(l) && !l->code && !stopped(l); l->done++) {
+        const double t = l->t;
+        checkpoint_write(l, &m, &before, false);
+        if (relay_is_due(l) && !relay_take_over(l, &before)) return;
+        if (l->plan->adaptive) pace_adapt(l);
+        relay_before_step(l);
         take_step(l, t);
+        if (relay_rescues(l, &before)) take_step(l, t);
         if (l->status.code != OK) {
             l->failed_at = t + l->dt;
             return;
         }
         const Side after = loop_measure_side(l);
-        const double w = l->done > 0 ? 0.5 : 0; /* the first instant is not between two halves */
         if (l->done == 0) loop_record_start(l, &before, &after, m.strain);
         m.t = t;
-        m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
-        for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
+        m.dt = l->dt;
+        /* the first instant is not between two halves */
+        centre(&m, &before, &after, l->done > 0 ? pace_share_after(l) : 0);
         loop_record_energy(l, &m, &before, &after);
         loop_record_momentum(l, &after);
         loop_record_work(l, t);
@@ -78,8 +103,10 @@ static void run_steps(Loop *l)
         loop_measure_state(l, &m);
         before = after;
         shoot(l, l->done + 1, false);
+        l->t = pace_end_of_step(l);
     }
-    m.t = (double)l->done * l->dt; /* the last instant waits for last_instant */
+    if (stopped(l)) checkpoint_write(l, &m, &before, true);
+    m.t = l->t; /* the last instant waits for last_instant */
     l->last = m;
 }
 
@@ -88,32 +115,22 @@ static void last_instant(Loop *l)
 {
     Moment m = l->last;
     const Side before = loop_measure_side(l);
+    if (l->plan->adaptive) pace_adapt(l);
     const Status status =
         l->done > 0 ? l->plan->solver->step(l->self, m.t, l->dt, false) : (Status){EMPTY, -1, 0};
-    const double w = status.code == OK ? 0.5 : 0;
+    const double w = status.code == OK ? pace_share_after(l) : 0;
     const Side after = status.code == OK ? loop_measure_side(l) : before;
-    m.kinetic = (1 - w) * before.kinetic + w * after.kinetic;
-    for (int d = 0; d < DIM; d++) m.momentum[d] = (1 - w) * before.p[d] + w * after.p[d];
+    centre(&m, &before, &after, w);
     loop_record_energy(l, &m, &before, &after);
-}
-
-static void choose_dt(Loop *l)
-{
-    const Plan *plan = l->plan;
-    const double unit =
-        plan->solver->unit_dt ? plan->solver->unit_dt(l->self) : plan->scene.cell / plan->scene.c;
-    const double n = fmax(ceil(plan->t_end / (plan->cfl * unit) - 1e-9), 1);
-    l->dt = plan->t_end / n;
-    l->n = plan->steps > 0 && (double)plan->steps < n ? plan->steps : (long)n;
 }
 
 static int project(Loop *l, Fault *fault)
 {
     Nodes nodes;
-    const double cpu = seconds(CLOCK_PROCESS_CPUTIME_ID), wall = seconds(CLOCK_MONOTONIC);
+    const double cpu = stopwatch_cpu(), wall = stopwatch_wall();
     l->status = l->plan->solver->project(l->self);
-    l->cpu = seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
-    l->wall = seconds(CLOCK_MONOTONIC) - wall;
+    l->cpu = stopwatch_cpu() - cpu;
+    l->wall = stopwatch_wall() - wall;
     if (l->status.code != OK) return 0;
     l->plan->solver->nodes(l->self, &nodes);
     if (!norm_scratch_fit(&l->scratch, nodes.n))
@@ -126,14 +143,16 @@ static int project(Loop *l, Fault *fault)
 /* Number of steps that moved the particles: a failed step counts if it did. */
 static long steps_moved(const Loop *l)
 {
-    return l->done + (l->status.code != OK && loop_has_moved(l));
+    Counts c;
+    l->plan->solver->counts(l->self, &c);
+    return l->done + (l->status.code != OK && c.moved);
 }
 
 static int write_errors_now(const char *path, Loop *l, Fault *fault)
 {
     Points p;
     Samples q;
-    const double t = (double)steps_moved(l) * l->dt;
+    const double t = steps_moved(l) > l->done ? pace_end_of_step(l) : l->t;
     l->plan->solver->view(l->self, &p, &q);
     return output_errors(path, &l->plan->scene, &p, t, &l->scratch, fault);
 }
@@ -154,7 +173,7 @@ static int write_files(const RunSpec *spec, Loop *l, Fault *fault)
 }
 
 /* Allocates room for the largest number of slots that particles may need. */
-static bool fit_scratch(Loop *l)
+bool loop_fit_scratch(Loop *l)
 {
     Points p;
     Samples q;
@@ -170,9 +189,10 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
         code = project(l, fault);
         if (!code) shoot(l, 0, true);
     } else {
-        choose_dt(l);
-        if (!fit_scratch(l) || !loop_open(l))
+        pace_choose(l);
+        if (!loop_fit_scratch(l) || !loop_open(l))
             return fault_set(fault, FAULT_MACHINE, "out of memory");
+        probe_find(&l->probes, spec, l->plan->solver, l->self);
         if (spec->errors && isnan(errors_now(l, 0).linf)) return plan_no_exact_motion(spec, fault);
         run_steps(l);
         shoot(l, steps_moved(l), true);
@@ -182,32 +202,56 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
     if (code) return code;
     report_counts(l, row);
     if (!l->plan->scene.problem->projection && l->status.code == OK) last_instant(l);
+    if (l->status.code == OK && stopped(l)) l->status.code = INTERRUPTED;
     report_results(l, row);
     return 0;
+}
+
+/* A run's key is its command, whoever many threads make it. */
+static void set_save(Loop *l, RunSpec spec)
+{
+    l->save.path = spec.checkpoint;
+    l->save.resume = spec.resume;
+    l->save.every_s = spec.save_s > 0 ? spec.save_s : 60;
+    l->save.last = l->save.began;
+    l->save.program = spec.program;
+    spec.threads = 0;
+    spec_command(&spec, l->save.command);
 }
 
 int run_spec(const RunSpec *spec, Row *row, Fault *fault)
 {
     RunSpec own = *spec;
     Plan plan;
-    Loop l = {.plan = &plan, .growth_step = -1, .worst = norm_no_errors, .drift = NAN};
+    Loop l = {.plan = &plan,
+              .stop = spec->stop,
+              .taken_over = -1,
+              .growth_step = -1,
+              .worst = norm_no_errors,
+              .drift = NAN};
+    l.save.began = stopwatch_wall();
     int code = plan_make(&own, &plan, fault);
     if (code) return code;
     *row = row_empty();
+    set_save(&l, own);
     l.shots = (Snapshots){.dir = own.vtk, .every = own.every, .every_s = own.every_s};
     l.fault = fault;
     report_inputs(&own, &plan, row);
+    if (handover_plan(&own, &plan, &l.handover, fault)) return FAULT_USAGE;
     if (spec_files_check(spec, fault) || (spec->vtk && snapshot_check(spec->vtk, fault)))
         return FAULT_MACHINE;
     if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
-    if (l.history) output_history_header(l.history);
+    if (l.history && !own.resume) output_history_header(l.history, own.nprobe, plan.scene.nwall);
     l.self = plan.solver->make(&plan.setup, fault);
     code = l.self ? run_plan(&own, &l, row, fault) : fault->code;
     if (l.self) plan.solver->free(l.self);
+    if (l.undo.f) fclose(l.undo.f);
     norm_scratch_free(&l.scratch);
     loop_close(&l);
+    probe_free(&l.probes);
     snapshot_free(&l.shots);
     if (l.history && code) file_abandon(l.history, spec->history);
     if (l.history && !code) code = file_commit(l.history, spec->history, fault);
+    row->wall_run_s = l.save.spent + stopwatch_wall() - l.save.began;
     return code;
 }

@@ -32,6 +32,15 @@ static const Param run_params[] = {
                   "dt L/k)^k F",
                   "W11 eq 30", "linear|exponential|subcycled"},
     [P_SUBCYCLES] = {"subcycles", 4, 1, 1000, "", "k of strain_update=subcycled", "", NULL},
+    [P_FRAME] = {"frame", FRAME_CURRENT, 0, 1, "",
+                 "weights at the particles; or at their reference positions, for the whole run, "
+                 "with stress P and gradients in X (tlmpm's default)",
+                 "de Vaucorbeil et al. 2020", "current|total"},
+    [P_DT] =
+        {"dt", 0, 0, 1, "",
+         "one step CFL h/c for the whole run, or CFL h/(v_max + max |v_p|) anew for every step, "
+         "v_max of eq 33",
+         "W11 eqs 33, 34", "constant|adaptive"},
     [RUN_PARAMS] = {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 
 const Param *const settings_common = run_params;
@@ -145,7 +154,7 @@ static bool has_boxes(const Method *m, const double par[])
 {
     Method own = *m;
     if (own.adapt) own.adapt(par, &own);
-    return own.width(1) > own.width(0.5);
+    return !own.list && own.width(1) > own.width(0.5);
 }
 
 bool settings_act_on_problem(int k, const Problem *p)
@@ -158,12 +167,13 @@ bool settings_act_on_method(int k, const Method *m)
 {
     const unsigned all = (1u << INTEGRATORS) - 1;
     double par[MAX_PARAMS] = {0};
-    if (k == P_STEPS || k == P_STOP || k == P_REPEAT || k == P_DIM) return true;
+    if (k == P_STEPS || k == P_STOP || k == P_REPEAT || k == P_DIM || k == P_DT) return true;
     if (!m) return false; /* a mesh */
     for (const Param *p = m->info.params; p && p->name; p++) par[p - m->info.params] = p->value;
     if (k == P_PARTICLES) return DIM == 1;
     if (k == P_ALLOW) return m->valid != all;
     if (k == P_REFRESH) return m->keeps_L;
+    if (k == P_FRAME) return !m->assemble;
     return k == P_DOMAIN ? has_boxes(m, par) : true;
 }
 
@@ -185,5 +195,55 @@ int settings_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *
                          "--set strain_update: got '%s', takes linear with %s, whose strain comes "
                          "from positions",
                          spec_get(spec, "strain_update"), spec->method);
+    return 0;
+}
+
+/* A wall that the body does not touch at the start. In the reference it never would. */
+static bool meets_walls_later(const Scene *s)
+{
+    for (const Wall *w = s->wall; w < s->wall + s->nwall; w++) {
+        const double body = w->side < 0 ? s->body_lo[w->axis] : s->body_hi[w->axis];
+        if (!w->mirror && w->side * (w->at - body) > 1e-9) return true;
+    }
+    return false;
+}
+
+Frame settings_usual_frame(const Setup *s)
+{
+    const bool total = (s->method && s->method->frame == FRAME_TOTAL) ||
+                       (s->method_b && s->method_b->frame == FRAME_TOTAL);
+    return total ? FRAME_TOTAL : FRAME_CURRENT;
+}
+
+/* Frame of the stencils: what is asked for, or the method's. */
+int settings_frame(const RunSpec *spec, Plan *plan, const double run[], Fault *fault)
+{
+    Setup *s = &plan->setup;
+    const char *given = spec_get(spec, "frame");
+    s->frame = given ? (Frame)run[P_FRAME] : settings_usual_frame(s);
+    if (s->frame != FRAME_TOTAL) return 0;
+    if (!s->method || s->method->assemble)
+        return fault_set(fault, FAULT_USAGE,
+                         "--set frame: got 'total', takes current with %s, which %s", spec->method,
+                         s->method ? "integrates over cells as the body fills them now"
+                                   : "has no particles");
+    if (plan->scene.problem->part)
+        return fault_set(fault, FAULT_USAGE,
+                         "--set frame: got 'total'%s, takes current with %s, whose two bodies meet "
+                         "where they are now",
+                         given ? "" : " (the method's default)", spec->problem);
+    if (meets_walls_later(&plan->scene))
+        return fault_set(
+            fault, FAULT_USAGE,
+            "--set frame: got 'total'%s, takes current with %s, whose body meets walls "
+            "that it does not touch at the start",
+            given ? "" : " (the method's default)", spec->problem);
+    if (s->domain == DOMAIN_STRETCH || s->strain != STRAIN_LINEAR)
+        return fault_set(fault, FAULT_USAGE,
+                         "--set %s: got '%s', takes %s with frame=total, where nothing but F "
+                         "follows the motion",
+                         s->domain == DOMAIN_STRETCH ? "domain" : "strain_update",
+                         spec_get(spec, s->domain == DOMAIN_STRETCH ? "domain" : "strain_update"),
+                         s->domain == DOMAIN_STRETCH ? "undeformed" : "linear");
     return 0;
 }

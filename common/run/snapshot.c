@@ -68,10 +68,9 @@ static int write_kind(Snapshots *s, int kind, long step, const VtkData *data, Fa
     return vtk_file_write(path, data, fault);
 }
 
-static int write_points(Snapshots *s, const State *state, bool several, long step, double t,
-                        Fault *fault)
+static int write_points(Snapshots *s, const State *state, long step, double t, Fault *fault)
 {
-    const VtkArray arrays[] = {
+    VtkArray arrays[12 + MAX_OWN] = {
         {"id", VTK_I64, 1, state->id},
         {"X", VTK_F64, 3, state->X},
         {"displacement", VTK_F64, 3, state->u},
@@ -82,9 +81,12 @@ static int write_points(Snapshots *s, const State *state, bool several, long ste
         {"energy", VTK_F64, 1, state->energy},
         {"mass", VTK_F64, 1, state->m},
         {"surface", VTK_U8, 1, state->surface},
-        {several ? "body" : NULL, VTK_U8, 1, state->body},
-        {0},
     };
+    int n = 10;
+    if (state->body) arrays[n++] = (VtkArray){"body", VTK_U8, 1, state->body};
+    for (int f = 0; state->own_name && state->own_name[f]; f++)
+        arrays[n++] = (VtkArray){state->own_name[f], VTK_F64, 1,
+                                 state->own + (size_t)f * ((size_t)state->n + 1)};
     return write_kind(
         s, SHOT_PARTICLES, step,
         &(VtkData){
@@ -97,7 +99,7 @@ static int shoot_points(Snapshots *s, const Scene *scene, const Solver *solver, 
 {
     State state;
     if (state_of_points(&state, scene, solver, self, fault)) return FAULT_MACHINE;
-    const int code = write_points(s, &state, scene->problem->part, step, t, fault);
+    const int code = write_points(s, &state, step, t, fault);
     state_free(&state);
     return code;
 }
@@ -236,6 +238,22 @@ int snapshot_take(Snapshots *s, const Scene *scene, const Solver *solver, const 
     }
     for (int kind = 0; kind < SHOT_KINDS && !code; kind++) code = list_it(s, kind, last, fault);
     return code;
+}
+
+void snapshot_stash(Snapshots *s, Stash *stash)
+{
+    if (!stash_same(stash, s->dir != NULL) || !s->dir) return;
+    STASH(stash, s->slot);
+    for (int kind = 0; kind < SHOT_KINDS; kind++) {
+        int n = s->n[kind];
+        STASH(stash, n);
+        for (s->n[kind] = 0; s->n[kind] < n && !stash->bad; s->n[kind]++) {
+            stash->bad = !make_room(s, kind);
+            if (stash->bad) return;
+            STASH(stash, s->step[kind][s->n[kind]]);
+            STASH(stash, s->t[kind][s->n[kind]]);
+        }
+    }
 }
 
 int snapshot_start(Snapshots *s, const Setup *setup, const Solver *solver, const void *self,

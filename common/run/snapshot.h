@@ -33,6 +33,9 @@ int snapshot_start(Snapshots *s, const Setup *setup, const Solver *solver, const
                    Fault *fault);
 void snapshot_free(Snapshots *s);
 
+/* What has been taken, out or in (stash.h). */
+void snapshot_stash(Snapshots *s, Stash *stash);
+
 /* Can snapshots be written into this folder? 0 or a fault with code 1. */
 int snapshot_check(const char *dir, Fault *fault);
 

@@ -1,4 +1,4 @@
-/* shapes.h: how a particle sees the nodes of one axis: tent, GIMP and quadratic spline.
+/* shapes.h: how a particle sees the nodes of one axis: tent, GIMP, quadratic and cubic spline.
  *
  * All lengths in cells: x position, b = l/h half width, r = x - x_i. W07 section 2; Bardenhagen &
  * Kober 2004. GIMP is the exact convolution of the tent with a top hat of half width b, for any b:
@@ -158,20 +158,76 @@ static inline void folded_shape(const Axis *axis, int width, const Field x, cons
     }
 }
 
-/* `shape=spline|gimp`, the first parameter of methods that have both. */
-enum { BY_SPLINE, BY_GIMP };
+/* Cubic spline: the four nodes of the particle's cell and of its two neighbours, |x - x_i| < 2. */
+static inline int cubic_width(double b)
+{
+    (void)b;
+    return 4;
+}
+
+/* Folded at walls as folded_shape: in the cell within a wall the node beyond gives its weight w to
+ * the two next to it as 2w, -w. That is the natural spline, whose second derivative vanishes at the
+ * wall (Steffen et al. 2008). */
+static inline void cubic_shape(const Axis *axis, int width, const Field x, const Field b,
+                               Stencil *out)
+{
+    (void)width, (void)b;
+    const double lo = axis->open_lo ? -INFINITY : axis->wall_lo;
+    const double hi = axis->open_hi ? INFINITY : axis->wall_hi;
+    for (int p = 0; p < CHUNK; p++) {
+        const double at = floor(x[p]), c = at + (at < lo) - (at >= hi);
+        const double f = x[p] - c, g = 1 - f, low = c - 1 < lo, high = c + 2 > hi;
+        const double first = g * g * g / 6, last = f * f * f / 6;
+        const double dfirst = -0.5 * g * g, dlast = 0.5 * f * f;
+        out->base[p] = (int)c - 1;
+        out->table[T_S][0][p] = (1 - low) * first;
+        out->table[T_S][1][p] = 2 / 3.0 - f * f * (1 - 0.5 * f) + 2 * low * first - high * last;
+        out->table[T_S][2][p] = 2 / 3.0 - g * g * (1 - 0.5 * g) + 2 * high * last - low * first;
+        out->table[T_S][3][p] = (1 - high) * last;
+        out->table[T_G][0][p] = (1 - low) * dfirst;
+        out->table[T_G][1][p] = f * (1.5 * f - 2) + 2 * low * dfirst - high * dlast;
+        out->table[T_G][2][p] = g * (2 - 1.5 * g) + 2 * high * dlast - low * dfirst;
+        out->table[T_G][3][p] = (1 - high) * dlast;
+    }
+}
+
+/* Slopes of moving least squares: the plane through the nodes' values with weights S has the slope
+ * sum_i v_i S (x_i - x)/D, D = sum_i S (x_i - x)^2, which takes the place of the derivative. D is
+ * 1/4 cell^2 for the quadratic spline, 1/3 for the cubic one, less where a wall folds them; on the
+ * wall it vanishes, and the derivative is the limit. */
+static inline void fit_slopes(int width, const Field x, Stencil *s)
+{
+    Field D;
+    for (int p = 0; p < CHUNK; p++) D[p] = 0;
+    for (int k = 0; k < width; k++)
+        for (int p = 0; p < CHUNK; p++) {
+            const double r = s->base[p] + k - x[p];
+            D[p] += s->table[T_S][k][p] * r * r;
+        }
+    for (int k = 0; k < width; k++)
+        for (int p = 0; p < CHUNK; p++) {
+            const double r = s->base[p] + k - x[p];
+            const double slope = s->table[T_S][k][p] * r / D[p];
+            s->table[T_G][k][p] = fabs(D[p]) > 1e-9 ? slope : s->table[T_G][k][p];
+        }
+}
+
+/* `shape=spline|gimp|cubic`, the first parameter of methods that have several. */
+enum { BY_SPLINE, BY_GIMP, BY_CUBIC };
 
 #define SHAPE_PARAM(usual)                                                                         \
     {                                                                                              \
-        "shape", usual, 0, 1, "", "weights: quadratic spline folded at walls, or GIMP", "",        \
-            "spline|gimp"                                                                          \
+        "shape", usual, 0, 2, "", "weights: quadratic or cubic spline folded at walls, or GIMP",   \
+            "", "spline|gimp|cubic"                                                                \
     }
 
 static inline void choose_shape(const double par[], Method *own)
 {
-    const bool gimp = par[0] > 0;
-    own->width = gimp ? gimp_width : spline_width;
-    own->shape = gimp ? gimp_shape : folded_shape;
+    static int (*const widths[])(double) = {spline_width, gimp_width, cubic_width};
+    void (*const shapes[])(const Axis *, int, const Field, const Field,
+                           Stencil *) = {folded_shape, gimp_shape, cubic_shape};
+    own->width = widths[(int)par[0]];
+    own->shape = shapes[(int)par[0]];
 }
 
 #endif

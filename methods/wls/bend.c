@@ -24,7 +24,7 @@ static bool find_bend(const Line skin[2], Bend *out)
     }
     s2 -= sb * sb;
     out->normal[0] = nx / length;
-    out->normal[DIM - 1] = ny / length;
+    out->normal[AXIS_LAST] = ny / length;
     if (!(s2 >= 1e-3) || !(fabs(turn) <= 0.3 * s2)) return false; /* one point; rough */
     out->kappa[0] = turn / s2;
     return true;
@@ -41,7 +41,7 @@ static double flat_distance(const Line skin[2], Bend *bend)
         r[d] = skin[0][K_FIRST + d] / skin[0][K_ONE];
         mean += r[d] * bend->normal[d];
     }
-    const double sb = r[DIM - 1] * bend->normal[0] - r[0] * bend->normal[DIM - 1];
+    const double sb = r[AXIS_LAST] * bend->normal[0] - r[0] * bend->normal[AXIS_LAST];
     return 0.5 * (along + mean) - 0.5 * bend->kappa[0] * sb * sb;
 }
 

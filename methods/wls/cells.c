@@ -72,6 +72,8 @@ static inline void add_point(Sim *sim, const size_t corner[CORNERS], const Shape
         Line add = shape->S[k] * mass;
         for (int b = 0; b < DIM; b++) add += shape->G[k][b] * flux[b];
         g->node[corner[k]] += add;
+        for (int b = 0; g->outward && b < DIM; b++)
+            g->outward[corner[k] * DIM + (size_t)b] += shape->G[k][b] * V * g->cells;
         for (int a = 0; g->force && a < DIM; a++)
             g->force[corner[k] * DIM + (size_t)a] += shape->S[k] * V * value[Q_FORCE + a];
     }

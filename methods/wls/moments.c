@@ -155,8 +155,8 @@ static inline __attribute__((always_inline)) void add_to_row(const Deposit *w, i
 {
     const Kernel *k = w->kernel;
     const Line A = w->A[p];
-    Line y = DIM > 1 ? lanes(&k[DIM > 1], r % 3, p, q->e[DIM > 1]) : q->one;
-    double row = DIM > 1 ? k[DIM > 1].table[W_ONE][r % 3][p] : 1;
+    Line y = DIM > 1 ? lanes(&k[AXIS_Y], r % 3, p, q->e[AXIS_Y]) : q->one;
+    double row = DIM > 1 ? k[AXIS_Y].table[W_ONE][r % 3][p] : 1;
     for (int d = 2; d < DIM; d++) {
         y *= lanes(&k[d], r / 3, p, q->e[d]);
         row *= k[d].table[W_ONE][r / 3][p];

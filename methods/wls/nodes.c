@@ -47,11 +47,13 @@ static Around look_around(const Sim *sim, const int index[DIM])
 }
 
 /* f_i = m_i sum f_j / sum m_j; as printed, the mean of the f_j, it blows up at once. With a mass
- * correction body forces are in it, which would else be corrected at good nodes alone. */
+ * correction body forces are in it, which would else be corrected at good nodes alone; and with
+ * tractions, which do not fade with a node's mass. */
 static void average_force(const Sim *sim, size_t at, Line *node, const Around *n)
 {
     const Wls *w = sim->own;
-    const double *own = w->corrected && sim->g.force ? &sim->g.force[at * DIM] : NULL;
+    const bool whole = sim->g.force && (w->corrected || sim->skin);
+    const double *own = whole ? &sim->g.force[at * DIM] : NULL;
     for (int a = 0; a < DIM; a++) {
         const double inner =
             w->literal ? n->inner[a] / n->massive : (*node)[0] * n->inner[a] / n->mass;

@@ -65,6 +65,7 @@ void wls_adapt(const double par[], Method *own)
 {
     own->surface_per_cell = par[P_SURFACE_PER_CELL];
     own->keeps_L = par[P_HERMITE] > 0;
+    own->scene_distance = (int)par[P_DISTANCE] == DISTANCE_EXACT;
     if ((int)par[P_RETURN] != RETURN_SPLINE) return;
     own->width = spline_width;
     own->shape = spline_shape;

@@ -10,11 +10,12 @@ set logscale x
 set xrange [3:1000]
 set xlabel 'CPU time of one particle-step (FEM: element-step) [ns]'
 set label 1 heading('Speed of the step loop, one core') at graph 0, graph 1.06
-set lmargin 20
+set lmargin 24
 unset key
 set ytics noenhanced # names of methods: no subscripts
 bar = 0.31
+named(name, integrator) = strcol(name).(strcol(integrator) eq '-' ? '' : ', '.strcol(integrator))
 colour(c) = c[1:5] eq 'bound' ? 0x999999 : c eq 'twin' || c[1:4] eq 'bare' ? 0xD55E00 : c[1:3] eq 'fem' ? 0x000000 : 0x0072B2
-plot csv skip 1 using (3):0:(3):3:($0 - bar):($0 + bar):(colour(strcol(1))):ytic(1) \
+plot csv skip 1 using (3):0:(3):3:($0 - bar):($0 + bar):(colour(strcol(1))):ytic(named(1, 9)) \
          with boxxyerror lc rgb variable, \
      csv skip 1 using 3:0:(sprintf(' %.3g', $3)) with labels left offset 0.3, 0

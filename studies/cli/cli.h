@@ -3,7 +3,7 @@
 #define MPMLAB_CLI_H
 
 #include "studies/runs/options.h"
-#include "studies/study.h"
+#include "studies/engine/run_study.h"
 
 enum { EXIT_CLAIM_FAILED = 3 };
 
@@ -16,6 +16,11 @@ typedef struct Command {
 
 extern const Command list_command, describe_command, run_command, study_command, sweep_command,
     claims_command, new_method_command;
+
+/* Takes --out, --jobs, --list or --collect. 0 or a fault; STUDY_OTHER_OPTION: it is none of them.
+ */
+enum { STUDY_OTHER_OPTION = -1 };
+int study_take_option(StudyOptions *o, const char *name, const char *got, Fault *fault);
 
 /* The study of that name, or NULL and a fault with the nearest one. */
 const Study *study_named(const char *name, Fault *fault);

@@ -3,17 +3,6 @@
 #include "cli.h"
 #include "studies/runs/engines.h"
 
-static int take_word(void *into, const char *name, const char *value, Fault *fault)
-{
-    const char **word = into;
-    (void)name; /* these commands have no options */
-    if (*word) return option_refuse(fault, "argument", value, "one name only", NULL, 0);
-    *word = value;
-    return 0;
-}
-
-static const Option no_options[] = {{NULL, NULL, NULL}};
-
 typedef const Info *const *InfoList;
 
 static InfoList problems_of(const Engine *e)
@@ -51,18 +40,22 @@ static void print_entry(const char *kind, const char *name, InfoList (*of)(const
     printf("\t%s\n", info ? info->about : "");
 }
 
-static void list_methods(void)
+static void print_entries(const char *kind, int names_of(const char *names[], int max),
+                          InfoList (*of)(const Engine *))
 {
     const char *names[64];
-    int n = engine_method_names(names, 64);
-    for (int k = 0; k < n; k++) print_entry("method", names[k], methods_of);
+    const int n = names_of(names, 64);
+    for (int k = 0; k < n; k++) print_entry(kind, names[k], of);
+}
+
+static void list_methods(void)
+{
+    print_entries("method", engine_method_names, methods_of);
 }
 
 static void list_problems(void)
 {
-    const char *names[64];
-    int n = engine_problem_names(names, 64);
-    for (int k = 0; k < n; k++) print_entry("problem", names[k], problems_of);
+    print_entries("problem", engine_problem_names, problems_of);
 }
 
 static void list_integrators(void)
@@ -84,7 +77,7 @@ static int list(int argc, char **argv, Fault *fault)
     static void (*const print[])(void) = {list_methods, list_problems, list_studies,
                                           list_integrators};
     const char *kind = NULL;
-    int found = 0, code = options_read(argc, argv, no_options, take_word, &kind, fault);
+    int found = 0, code = options_read(argc, argv, options_none, option_take_word, &kind, fault);
     if (code) return code;
     for (int k = 0; k < 4; k++) {
         if (kind && strcmp(kind, kinds[k]) != 0) continue;
@@ -100,7 +93,7 @@ const Command list_command = {
     .name = "list",
     .usage = "[methods|problems|studies|integrators]",
     .about = "what there is: kind, name, dimensions and one line each, separated by tabs",
-    .options = no_options,
+    .options = options_none,
     .run = list,
 };
 
@@ -128,7 +121,7 @@ static int describe_study(const char *name)
 static int describe(int argc, char **argv, Fault *fault)
 {
     const char *name = NULL;
-    int known = 0, code = options_read(argc, argv, no_options, take_word, &name, fault);
+    int known = 0, code = options_read(argc, argv, options_none, option_take_word, &name, fault);
     if (code) return code;
     if (!name) return refuse_name(name, fault);
     for (const Engine *const *e = engines; *e; e++) known |= (*e)->describe(name, stdout) == 0;
@@ -141,6 +134,6 @@ const Command describe_command = {
     .usage = "NAME",
     .about =
         "parameters, defaults and sources of a problem, method or integrator; what a study does",
-    .options = no_options,
+    .options = options_none,
     .run = describe,
 };

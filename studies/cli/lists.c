@@ -88,3 +88,11 @@ void lists_free(List *list)
     free(list->value);
     *list = (List){0};
 }
+
+bool lists_are_numeric(const List *list)
+{
+    double x;
+    for (int k = 0; k < list->n; k++)
+        if (info_number_parse(list->value[k], &x)) return false;
+    return list->n > 0;
+}

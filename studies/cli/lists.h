@@ -18,4 +18,7 @@ typedef struct List {
 int lists_read(List *list, const char *what, const char *text, bool whole, Fault *fault);
 void lists_free(List *list);
 
+/* Is each value of the list a number? */
+bool lists_are_numeric(const List *list);
+
 #endif

@@ -146,7 +146,7 @@ void manual_completion(const Command *const commands[], int n)
            "    --method) words=$(_mpmlab_names methods) ;;\n"
            "    --integrator) words=$(_mpmlab_names integrators) ;;\n"
            "    --csv | --history | --particles | --nodes | --samples | --errors | --patches | "
-           "--vtk | "
+           "--vtk | --probe | "
            "--out | --name) return ;;\n"
            "    *) case ${COMP_WORDS[1]} in\n");
     for (int k = 0; k < n; k++) {

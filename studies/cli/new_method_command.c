@@ -1,7 +1,6 @@
 /* new_method_command.c: `new-method`: the starting file of a method and its line in the registry,
  * in the source tree that this program was built from. */
 #include <ctype.h>
-#include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -10,19 +9,11 @@
 #include <unistd.h>
 #include "common/base/table.h"
 #include "cli.h"
+#include "studies/phrase.h"
 #include "studies/runs/must.h"
 #include "studies/runs/engines.h"
 
 enum { LONGEST = 31 };
-
-static int take_word(void *into, const char *name, const char *value, Fault *fault)
-{
-    const char **word = into;
-    (void)name; /* no options */
-    if (*word) return option_refuse(fault, "argument", value, "one name only", NULL, 0);
-    *word = value;
-    return 0;
-}
 
 /* A name is part of a C symbol, of a file's name and of settings. */
 static int check_name(const char *name, Fault *fault)
@@ -61,7 +52,7 @@ static char *read_all(const char *path, Fault *fault)
     char *text = NULL;
     size_t size = 0;
     if (!f || getdelim(&text, &size, '\0', f) < 0) {
-        fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
+        fault_machine(fault, path);
         free(text);
         text = NULL;
     }
@@ -116,7 +107,7 @@ static int is_taken(const char *source, const char *list, const char *name)
 static int add(const char *folder, const char *name, Fault *fault)
 {
     const char *names[64];
-    char *source = must_text("%s/%s.c", folder, name), *list = must_text("%s/methods.def", folder);
+    const char *source = phrase("%s/%s.c", folder, name), *list = phrase("%s/methods.def", folder);
     int known = 0, code;
     for (int k = engine_method_names(names, 64) - 1; k >= 0; k--)
         known |= strcmp(names[k], name) == 0;
@@ -126,15 +117,13 @@ static int add(const char *folder, const char *name, Fault *fault)
              (code = write_line(list, name, fault)))
         unlink(source); /* both or none */
     if (!code) printf("%s\n%s\n", source, list);
-    free(source), free(list);
     return code;
 }
 
 static int new_method(int argc, char **argv, Fault *fault)
 {
-    static const Option none[] = {{NULL, NULL, NULL}};
     const char *name = NULL;
-    int code = options_read(argc, argv, none, take_word, &name, fault);
+    int code = options_read(argc, argv, options_none, option_take_word, &name, fault);
     if (code || (code = check_name(name ? name : "", fault))) return code;
     char *folder = methods_folder();
     if (!folder)
@@ -152,6 +141,6 @@ const Command new_method_command = {
     .name = "new-method",
     .usage = "NAME",
     .about = "starts a method: writes methods/NAME.c to be filled in and its registry line",
-    .options = (const Option[]){{NULL, NULL, NULL}},
+    .options = options_none,
     .run = new_method,
 };

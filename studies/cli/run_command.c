@@ -3,8 +3,11 @@
 #include <string.h>
 #include "cli.h"
 #include "csv_append.h"
+#include "common/base/saved.h"
+#include "studies/engine/cases.h"
 #include "studies/runs/run_args.h"
 #include "studies/engine/run_study.h"
+#include "studies/engine/signals.h"
 
 static void print_row(const Row *row)
 {
@@ -27,6 +30,22 @@ static void note_steps(const RunSpec *spec, const Row *row)
                 row->t_end, row->steps);
 }
 
+/* Is there a state to resume from? Says which, if it is not the newest. */
+static int check_resume(const RunArgs *args, Fault *fault)
+{
+    char command[SPEC_TEXT], chosen[PATH_MAX];
+    RunSpec spec = args->spec;
+    spec.threads = 0;
+    spec_command(&spec, command);
+    FILE *f = saved_open(spec.resume, &(SavedKey){command, spec.program}, chosen, fault);
+    if (!f) return FAULT_USAGE;
+    fclose(f);
+    if (!args->quiet && strcmp(chosen, spec.resume) != 0)
+        fprintf(stderr, "mpmlab: %s is no whole checkpoint; resumed from %s\n", spec.resume,
+                chosen);
+    return 0;
+}
+
 static int run(int argc, char **argv, Fault *fault)
 {
     RunArgs args;
@@ -36,13 +55,17 @@ static int run(int argc, char **argv, Fault *fault)
     const Engine *engine = engine_for(&args.spec, fault);
     if (!engine) return FAULT_USAGE;
     if ((code = engine->resolve(&args.spec, fault))) return code;
+    args.spec.program = cases_program();
+    if (args.spec.resume && (code = check_resume(&args, fault))) return code;
     if ((code = spec_files_check(&args.spec, fault))) return code;
     if (args.csv && (code = csv_append_check(args.csv, fault))) return code;
     if (args.spec.vtk && (code = file_make_folder(args.spec.vtk, fault))) return code;
+    args.spec.stop = signals_note();
     if ((code = engine->run(&args.spec, &row, fault))) return code;
     print_row(&row);
     if (!args.quiet && strcmp(row.status, "ok") != 0)
         fprintf(stderr, "mpmlab: %s: %s\n", row.status, row.reason);
+    if (strcmp(row.status, "interrupted") == 0) return FAULT_INTERRUPTED; /* no row of a table */
     if (!args.quiet) note_steps(&args.spec, &row);
     return args.csv ? csv_append(args.csv, &row, args.quiet ? NULL : stderr, fault) : 0;
 }

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
-#include <time.h>
 #include <unistd.h>
 #include "studies/engine/claims.h"
+#include "common/base/stopwatch.h"
 #include "cli.h"
 #include "studies/runs/must.h"
 #include "studies/scoreboard/page.h"
@@ -18,7 +18,7 @@
 #include "studies/engine/run_study.h"
 
 typedef struct StudyArgs {
-    const char *name, *out; /* as typed */
+    const char *name; /* as typed */
     StudyOptions options;
 } StudyArgs;
 
@@ -66,69 +66,36 @@ static int take_name(StudyArgs *args, const char *got, Fault *fault)
     return strcmp(got, "all") == 0 || study_named(got, fault) ? 0 : FAULT_USAGE;
 }
 
-static int take_out(const char **out, const char *got, Fault *fault)
+static int take_folder(const char **out, const char *got, Fault *fault)
 {
-    if (!*got) return fault_set(fault, FAULT_USAGE, "--out: got '', takes a folder");
     *out = got;
-    return 0;
+    return *got ? 0 : fault_set(fault, FAULT_USAGE, "--out: got '', takes a folder");
 }
 
-static int take_action(StudyOptions *o, StudyAction action, Fault *fault)
+int study_take_option(StudyOptions *o, const char *name, const char *got, Fault *fault)
 {
+    const bool list = strcmp(name, "list") == 0;
+    if (strcmp(name, "out") == 0) return take_folder(&o->dir, got, fault);
+    if (strcmp(name, "jobs") == 0) return option_whole("--jobs", got, 1024, &o->jobs, fault);
+    if (!list && strcmp(name, "collect") != 0) return STUDY_OTHER_OPTION;
     if (o->action != STUDY_DO)
         return fault_set(fault, FAULT_USAGE, "--list, --collect: got both, takes one of them");
-    o->action = action;
+    o->action = list ? STUDY_LIST : STUDY_COLLECT;
     return 0;
 }
-
-static int take_quick(StudyArgs *args, const char *got, Fault *fault)
-{
-    (void)got, (void)fault;
-    args->options.quick = true;
-    return 0;
-}
-
-static int take_jobs(StudyArgs *args, const char *got, Fault *fault)
-{
-    return option_whole("--jobs", got, 1024, &args->options.jobs, fault);
-}
-
-static int take_study_out(StudyArgs *args, const char *got, Fault *fault)
-{
-    return take_out(&args->out, got, fault);
-}
-
-static int take_methods(StudyArgs *args, const char *got, Fault *fault)
-{
-    args->options.methods = got;
-    return methods_check(got, fault);
-}
-
-static int take_list(StudyArgs *args, const char *got, Fault *fault)
-{
-    (void)got;
-    return take_action(&args->options, STUDY_LIST, fault);
-}
-
-static int take_collect(StudyArgs *args, const char *got, Fault *fault)
-{
-    (void)got;
-    return take_action(&args->options, STUDY_COLLECT, fault);
-}
-
-static const struct {
-    const char *option;
-    int (*take)(StudyArgs *args, const char *got, Fault *fault);
-} takers[] = {{"quick", take_quick},    {"jobs", take_jobs}, {"out", take_study_out},
-              {"method", take_methods}, {"list", take_list}, {"collect", take_collect}};
 
 static int take_study(void *into, const char *name, const char *got, Fault *fault)
 {
     StudyArgs *args = into;
     if (!name) return take_name(args, got, fault);
-    for (size_t k = 0; k < sizeof takers / sizeof *takers; k++)
-        if (strcmp(takers[k].option, name) == 0) return takers[k].take(args, got, fault);
-    return fault_set(fault, FAULT_USAGE, "unknown option '--%s'", name);
+    const int code = study_take_option(&args->options, name, got, fault);
+    if (code != STUDY_OTHER_OPTION) return code;
+    if (strcmp(name, "quick") == 0) {
+        args->options.quick = true;
+        return 0;
+    }
+    args->options.methods = got; /* --method */
+    return methods_check(got, fault);
 }
 
 /* claims.csv and index.html of everything in dir; one program at a time, or the one that read
@@ -144,20 +111,13 @@ static int publish(Check *check, bool judged, const char *dir, Fault *fault)
     return code;
 }
 
-static double seconds_now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* One line per study of `study all`, so that a log shows how far it is. */
 static void report_study(const Study *study, const StudyOptions *o, bool failed, double since)
 {
     if (o->action == STUDY_LIST) return;
     fprintf(stderr, "mpmlab: %s: %s", study->name, failed ? "failed" : "done");
     if (!o->methods) fprintf(stderr, ", %d cases", study_case_count(study, o->quick));
-    fprintf(stderr, ", %.1f s\n", seconds_now() - since);
+    fprintf(stderr, ", %.1f s\n", stopwatch_wall() - since);
 }
 
 /* Runs one study or all; the first fault is kept, but only an interruption ends the rest. */
@@ -168,7 +128,7 @@ static int run_studies(const StudyArgs *args, Fault *fault)
     for (const Study *const *s = studies; *s && code != FAULT_INTERRUPTED; s++) {
         Fault f = {0};
         const bool all = strcmp(args->name, "all") == 0;
-        const double start = seconds_now();
+        const double start = stopwatch_wall();
         if (!all && strcmp(args->name, (*s)->name) != 0) continue;
         int got = run_study(*s, &args->options, &f);
         if (all) report_study(*s, &args->options, got && got != PLOT_NO_GNUPLOT, start);
@@ -188,36 +148,29 @@ static int check_files(const StudyOptions *o, Fault *fault)
 {
     static const char *const names[] = {"claims.csv", "index.html"};
     int code = o->action == STUDY_LIST ? 0 : file_make_folder(o->dir, fault);
-    for (int k = 0; k < 2 && code == 0 && o->action != STUDY_LIST; k++) {
-        char *path = must_text("%s/%s", o->dir, names[k]);
-        code = file_check(path, fault);
-        free(path);
-    }
+    for (int k = 0; k < 2 && code == 0 && o->action != STUDY_LIST; k++)
+        code = file_check(phrase("%s/%s", o->dir, names[k]), fault);
+
     return code;
 }
 
 static int study(int argc, char **argv, Fault *fault)
 {
-    StudyArgs args = {.out = default_out, .options = {.jobs = 1}};
+    StudyArgs args = {.options = {.dir = default_out, .jobs = 1}};
     Check check = {0};
     Fault late;
     int code = options_read(argc, argv, study_options, take_study, &args, fault);
     if (code) return code;
     if (!args.name) return fault_set(fault, FAULT_USAGE, "NAME: got nothing, takes a study or all");
-    char *dir = must_text("%s%s", args.out, args.options.quick ? "/quick" : "");
+    const char *dir = phrase("%s%s", args.options.dir, args.options.quick ? "/quick" : "");
     args.options.dir = dir;
-    code = check_files(&args.options, fault);
-    if (code) {
-        free(dir);
-        return code;
-    }
+    if ((code = check_files(&args.options, fault))) return code;
     code = run_studies(&args, fault);
     if (args.options.action != STUDY_LIST && (code == 0 || code == FAULT_MACHINE)) {
         int last = publish(&check, !args.options.quick, dir, code ? &late : fault);
         code = code ? code : last;
     }
     free(check.list);
-    free(dir);
     return code;
 }
 
@@ -237,7 +190,7 @@ static const Option claims_options[] = {
 static int take_claims(void *into, const char *name, const char *got, Fault *fault)
 {
     if (!name) return option_refuse(fault, "argument", got, "options only", NULL, 0);
-    return take_out(into, got, fault);
+    return take_folder(into, got, fault);
 }
 
 static void print_number(double x, int width)

@@ -8,19 +8,11 @@
 #include "studies/runs/must.h"
 #include "studies/runs/run_args.h"
 
-bool sweep_is_numeric(const List *list)
-{
-    double x;
-    for (int k = 0; k < list->n; k++)
-        if (info_number_parse(list->value[k], &x)) return false;
-    return list->n > 0;
-}
-
 void sweep_arrange(Sweep *s)
 {
     s->across = -1;
     for (int k = 0; k < s->n; k++)
-        if (s->axis[k].list.n > 1 && sweep_is_numeric(&s->axis[k].list) &&
+        if (s->axis[k].list.n > 1 && lists_are_numeric(&s->axis[k].list) &&
             (s->across < 0 || s->axis[k].list.n > s->axis[s->across].list.n))
             s->across = k;
     if (s->across < 0) return;
@@ -69,7 +61,7 @@ void sweep_title(const Sweep *s, int k, char text[256])
     text[0] = '\0';
     for (int a = 0; a < s->n && at < 256; a++) {
         const Axis *x = &s->axis[a];
-        const char *name = sweep_is_numeric(&x->list) ? x->name : "";
+        const char *name = lists_are_numeric(&x->list) ? x->name : "";
         if (a == s->across || x->list.n < 2) continue;
         at += (size_t)snprintf(text + at, 256 - at, "%s%s%s%s", at ? "; " : "", name,
                                *name ? " " : "", sweep_value(s, a, k));
@@ -124,7 +116,7 @@ static int check_values(const Sweep *s, const int *used, Fault *fault)
     char text[SPEC_TEXT];
     for (int a = 0; a < s->n; used += s->axis[a++].list.n)
         for (int v = 0; v < s->axis[a].list.n; v++) {
-            if (used[v] || sweep_is_numeric(&s->axis[a].list)) continue;
+            if (used[v] || lists_are_numeric(&s->axis[a].list)) continue;
             const size_t at = (size_t)snprintf(text, sizeof text, "run %s", s->problem);
             add_option(&s->axis[a], s->axis[a].list.value[v], text + at, sizeof text - at);
             if (try_case(text, fault)) return FAULT_USAGE;

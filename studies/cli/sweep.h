@@ -33,9 +33,6 @@ double sweep_size(const Sweep *sweep);
 /* The command of combination k. */
 void sweep_case(const Sweep *sweep, int k, char text[], size_t size);
 
-/* Is each value of the list a number? */
-bool sweep_is_numeric(const List *list);
-
 /* The value of axis a in combination k. */
 const char *sweep_value(const Sweep *sweep, int a, int k);
 

@@ -85,21 +85,11 @@ static int take_setting(Sweep *s, const char *got, Fault *fault)
 static int take(void *into, const char *name, const char *got, Fault *fault)
 {
     SweepArgs *args = into;
-    StudyOptions *o = &args->options;
     if (!name) return take_problem(&args->sweep, got, fault);
     if (strcmp(name, "set") == 0) return take_setting(&args->sweep, got, fault);
     if (strcmp(name, "name") == 0) return take_name(args, got, fault);
-    if (strcmp(name, "jobs") == 0) return option_whole("--jobs", got, 1024, &o->jobs, fault);
-    if (strcmp(name, "out") == 0) {
-        o->dir = got;
-        return *got ? 0 : fault_set(fault, FAULT_USAGE, "--out: got '', takes a folder");
-    }
-    if (strcmp(name, "list") != 0 && strcmp(name, "collect") != 0)
-        return take_list(&args->sweep, name, name, got, fault);
-    if (o->action != STUDY_DO)
-        return fault_set(fault, FAULT_USAGE, "--list, --collect: got both, takes one of them");
-    o->action = name[0] == 'l' ? STUDY_LIST : STUDY_COLLECT;
-    return 0;
+    const int code = study_take_option(&args->options, name, got, fault);
+    return code == STUDY_OTHER_OPTION ? take_list(&args->sweep, name, name, got, fault) : code;
 }
 
 static void cases(Cases *list, bool quick)

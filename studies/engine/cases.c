@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include <zlib.h>
 #include "facts.h"
+#include "studies/runs/engines.h"
 #include "studies/runs/must.h"
 #include "studies/runs/run_args.h"
 
@@ -17,7 +18,7 @@ static unsigned long add_checksum(unsigned long sum, const char *text)
 }
 
 /* Rows of other sources, another compiler or other flags are not this program's. */
-static unsigned long program_checksum(void)
+unsigned long cases_program(void)
 {
     unsigned long sum = add_checksum(0, FACT_SOURCES);
     return add_checksum(add_checksum(sum, FACT_COMPILER), FACT_FLAGS);
@@ -32,13 +33,23 @@ static bool in_list(const char *words, const char *name)
     return false;
 }
 
+/* Is this a method that studies run on request alone, and is it not asked for, or refused here? */
+static bool is_left_out(const Cases *cases, const char *method, bool refused)
+{
+    const Info *info = engine_method(method);
+    const bool asked = cases->methods || in_list(cases->also, method);
+    return info && info->on_request && (refused || !asked);
+}
+
 static void add(Cases *cases, const char *kind, const char *part, const char *text)
 {
     char command[SPEC_TEXT];
     Case c = {.kind = kind};
     Fault fault;
     if (cases->fault.code) return;
-    if (run_args_resolve(text, &c.spec, &c.engine, &fault)) {
+    const bool refused = run_args_resolve(text, &c.spec, &c.engine, &fault);
+    if (is_left_out(cases, c.spec.method, refused)) return;
+    if (refused) {
         fault_set(&cases->fault, FAULT_USAGE, "case '%.200s': %.250s", text, fault.text);
         return;
     }
@@ -103,8 +114,8 @@ static int finish(Cases *cases, const Study *study, Fault *fault)
 int cases_build(Cases *cases, const Study *study, bool quick, const char *methods, const char *dir,
                 Fault *fault)
 {
-    *cases = (Cases){.dir = dir, .name = study->name, .methods = methods};
-    snprintf(cases->program, sizeof cases->program, "%08lx", program_checksum());
+    *cases = (Cases){.dir = dir, .name = study->name, .methods = methods, .also = study->also};
+    snprintf(cases->program, sizeof cases->program, "%08lx", cases_program());
     if (study->cases) study->cases(cases, quick);
     cases->listed = cases->n;
     return finish(cases, study, fault);
@@ -174,7 +185,7 @@ int *cases_missing(const Cases *cases, const Journal *journal, int *n)
 
 unsigned long cases_checksum(const Cases *cases)
 {
-    unsigned long sum = program_checksum();
+    unsigned long sum = cases_program();
     for (int k = 0; k < cases->listed; k++) sum = add_checksum(sum, cases->list[k].key);
     return sum;
 }

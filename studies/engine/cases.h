@@ -20,6 +20,7 @@ struct Cases {
     const char *dir;     /* where files go */
     const char *name;    /* the study's: files are NAME.PART.csv */
     const char *methods; /* keep only these ("mpm,gimp"), or NULL: all */
+    const char *also;    /* the study's: methods on request that it runs, too */
     char program[16];    /* what this program was built from: the last word of every key */
     Fault fault;         /* the first wrong case, if any */
 };
@@ -35,6 +36,9 @@ void cases_free(Cases *cases);
 
 /* Indices into cases of what must still run, each run once; *n of them, owned by the caller. */
 int *cases_missing(const Cases *cases, const Journal *journal, int *n);
+
+/* What this program's results depend on: its sources and how they were compiled. */
+unsigned long cases_program(void);
 
 /* A checksum over all listed keys: what the table of this study depends on. */
 unsigned long cases_checksum(const Cases *cases);

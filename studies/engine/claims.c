@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "common/base/info.h"
+#include "studies/phrase.h"
 #include "studies/runs/must.h"
 #include "results.h"
 #include "studies/statements.h"
@@ -154,14 +155,12 @@ const char *claim_group(const Claim *c)
 /* Where the paper says what the claim tests, as "W07 3, fig 5"; "" if it does not. */
 static void put_source(FILE *f, const Statement *s)
 {
-    char *text = must_text("%s %s", s ? s->paper : "", s ? s->place : "");
-    table_put_cell(f, s && statement_is_published(s) ? text : "");
-    free(text);
+    table_put_cell(f, s && statement_is_published(s) ? phrase("%s %s", s->paper, s->place) : "");
 }
 
 int claims_write(const Check *check, const char *dir, Fault *fault)
 {
-    char *path = must_text("%s/claims.csv", dir);
+    const char *path = phrase("%s/claims.csv", dir);
     FILE *f = file_begin(path, fault);
     if (f)
         fputs("id,figure,statement,measured,low,high,verdict,reason,source,group,rows,sentence\n",
@@ -185,6 +184,5 @@ int claims_write(const Check *check, const char *dir, Fault *fault)
         putc('\n', f);
     }
     int code = f ? file_commit(f, path, fault) : FAULT_MACHINE;
-    free(path);
     return code;
 }

@@ -9,9 +9,9 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 #include "signals.h"
+#include "common/base/stopwatch.h"
 
 enum { LIMIT = 120 /* [s] */, NOT_FOUND = 127, KILLED = 256, TOO_LATE, STOPPED };
 
@@ -31,18 +31,12 @@ static _Noreturn void become(const char *set, const char *script, int out, int l
     _exit(errno == ENOENT ? NOT_FOUND : NOT_FOUND - 1);
 }
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* Its exit status, or why it has none. */
 static int wait_for(pid_t pid, const Signals *signals)
 {
     int status, why = TOO_LATE;
-    for (double left = LIMIT, end = now() + left; left > 0; left = end - now()) {
+    for (double left = LIMIT, end = stopwatch_wall() + left; left > 0;
+         left = end - stopwatch_wall()) {
         if (waitpid(pid, &status, WNOHANG) == pid)
             return WIFEXITED(status) ? WEXITSTATUS(status) : KILLED;
         if (!signals_wait(signals, left < 0.1 ? left : 0.1)) continue;

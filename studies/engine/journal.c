@@ -108,27 +108,22 @@ static void sort_unique(Journal *j)
     j->n = n;
 }
 
-static int machine(const char *path, Fault *fault)
-{
-    return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
-}
-
 int journal_reload(Journal *j, const char *path, Fault *fault)
 {
     struct stat s;
-    if (fstat(j->fd, &s) != 0) return machine(path, fault);
+    if (fstat(j->fd, &s) != 0) return fault_machine(fault, path);
     size_t size = (size_t)s.st_size, n = 0;
     free(j->text);
     j->text = must(malloc(size + 1));
     while (n < size) {
         ssize_t got = pread(j->fd, j->text + n, size - n, (off_t)n);
-        if (got <= 0) return machine(path, fault);
+        if (got <= 0) return fault_machine(fault, path);
         n += (size_t)got;
     }
     j->text[size] = '\0';
     size_t end = scan(j, size);
     sort_unique(j);
-    if (end < size && ftruncate(j->fd, (off_t)end) != 0) return machine(path, fault);
+    if (end < size && ftruncate(j->fd, (off_t)end) != 0) return fault_machine(fault, path);
     return 0;
 }
 
@@ -160,7 +155,7 @@ int journal_open(Journal *j, const char *path, Fault *fault)
         }
         close(j->fd);
     }
-    int code = machine(path, fault);
+    int code = fault_machine(fault, path);
     journal_close(j);
     return code;
 }
@@ -178,7 +173,8 @@ const char *journal_row(const Journal *j, const char *key)
     return NULL;
 }
 
-char *journal_line(const char *key, const char *row)
+/* A record as it stands in the file, its newline included; the caller frees it. */
+static char *record_line(const char *key, const char *row)
 {
     char *body = must_text("%s\t%s", key, row);
     size_t length = strlen(body);
@@ -189,7 +185,7 @@ char *journal_line(const char *key, const char *row)
 
 int journal_append(int fd, const char *key, const char *row)
 {
-    char *line = journal_line(key, row);
+    char *line = record_line(key, row);
     ssize_t whole = (ssize_t)strlen(line), done = write(fd, line, (size_t)whole);
     int error = done < 0 ? errno : ENOSPC;
     free(line);
@@ -238,7 +234,7 @@ static off_t write_kept(FILE *f, const Record *records, int n, const char *progr
     int kept = newest_programs(records, n, program, programs);
     for (int k = 0; k < n; k++) {
         if (!is_among(programs, kept, program_of(records[k].key))) continue;
-        char *line = journal_line(records[k].key, records[k].row);
+        char *line = record_line(records[k].key, records[k].row);
         fputs(line, f);
         size += (off_t)strlen(line);
         free(line);

@@ -37,9 +37,6 @@ int journal_compare_keys(const char *a, const char *b);
 /* The row with that key, or NULL; valid until the next reload. */
 const char *journal_row(const Journal *j, const char *key);
 
-/* A record as it stands in the file, its newline included; the caller frees it. */
-char *journal_line(const char *key, const char *row);
-
 /* Appends a record by one write(); may be called by several processes sharing fd. 0, or errno. */
 int journal_append(int fd, const char *key, const char *row);
 

@@ -2,10 +2,7 @@
 #include "palette.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include "studies/runs/engines.h"
-#include "studies/runs/must.h"
 
 static const char *const colours[] = {"#D55E00", "#0072B2", "#E69F00", "#56B4E9", "#332288",
                                       "#882255", "#CC6677", "#44AA99", "#999933", "#009E73",
@@ -40,26 +37,37 @@ static void put_label(FILE *f, const char *label)
     }
 }
 
-char *palette_settings(void)
+/* Methods of all studies first, then those on request. */
+static int sorted_names(const char *names[64], int *usual)
 {
-    static const char *const lists[] = {"METHODS", "LABELS", "COLOURS", "MARKERS"};
+    const char *all[64];
+    const int n = engine_method_names(all, 64);
+    int at = 0;
+    for (int request = 0; request < 2; request++) {
+        for (int k = 0; k < n; k++)
+            if (engine_method(all[k])->on_request == (request > 0)) names[at++] = all[k];
+        if (!request) *usual = at;
+    }
+    return n;
+}
+
+void palette_put(FILE *f)
+{
+    static const char *const lists[] = {"METHODS", "REQUESTED", "LABELS", "COLOURS", "MARKERS"};
     const char *names[64];
-    char *text = NULL, colour[8];
-    size_t size;
-    const int n = engine_method_names(names, 64);
-    FILE *f = must(open_memstream(&text, &size));
-    for (int list = 0; list < 4; list++) {
+    char colour[8];
+    int usual;
+    const int n = sorted_names(names, &usual);
+    for (int list = 0; list < 5; list++) {
         fprintf(f, "%s='", lists[list]);
-        for (int k = 0; k < n; k++) {
+        for (int k = list == 1 ? usual : 0; k < (list ? n : usual); k++) {
             palette_colour(k, colour);
-            if (k) putc(' ', f);
-            if (list == 0) fputs(names[k], f);
-            if (list == 1) put_label(f, engine_method(names[k])->label);
-            if (list == 2) fputs(colour, f);
-            if (list == 3) fprintf(f, "%d", palette_marker(k));
+            if (k && k != (list == 1 ? usual : 0)) putc(' ', f);
+            if (list < 2) fputs(names[k], f);
+            if (list == 2) put_label(f, engine_method(names[k])->label);
+            if (list == 3) fputs(colour, f);
+            if (list == 4) fprintf(f, "%d", palette_marker(k));
         }
         fputs("'; ", f);
     }
-    fclose(f);
-    return must(text);
 }

@@ -12,6 +12,7 @@
 #include <unistd.h>
 #include "gnuplot.h"
 #include "palette.h"
+#include "studies/phrase.h"
 #include "studies/runs/must.h"
 
 /* A figure is drawn as svg and png by NAME.gp; a moving picture by NAME.gif.gp, if there is one. */
@@ -21,7 +22,7 @@ static const struct {
 } formats[] = {{"svg", ".gp", 1}, {"png", ".gp", 1}, {"gif", ".gif.gp", 0}};
 enum { FORMATS = 3 };
 
-char *plot_folder(void)
+const char *plot_folder(void)
 {
     static const char *const places[] = {"plots", "share/mpmlab/plots"};
     char above[PATH_MAX];
@@ -31,42 +32,19 @@ char *plot_folder(void)
     for (char *end; (end = strrchr(above, '/'));) {
         *end = '\0';
         for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
-            char *path = must_text("%s/%s", above, places[k]),
-                 *style = must_text("%s/style.gp", path);
-            const bool there = access(style, R_OK) == 0;
-            free(style);
-            if (there) return path;
-            free(path);
+            const char *path = phrase("%s/%s", above, places[k]);
+            if (access(phrase("%s/style.gp", path), R_OK) == 0) return path;
         }
     }
     return NULL;
 }
 
-/* Text between single quotes for gnuplot: quotes inside are doubled. */
-static char *quoted(const char *text)
+/* "name='text'; " for gnuplot: quotes inside are doubled. */
+static void put_setting(FILE *f, const char *name, const char *text)
 {
-    char *out = must(malloc(2 * strlen(text) + 3)), *o = out;
-    *o++ = '\'';
-    for (; *text; text++) {
-        if (*text == '\'') *o++ = '\'';
-        *o++ = *text;
-    }
-    strcpy(o, "'");
-    return out;
-}
-
-/* "fmt='svg'; out='...'; ..." */
-static char *settings(const char *const values[][2], int n)
-{
-    char *all = must_text("%s", "");
-    for (int k = 0; k < n; k++) {
-        char *value = quoted(values[k][1]),
-             *longer = must_text("%s%s=%s; ", all, values[k][0], value);
-        free(value);
-        free(all);
-        all = longer;
-    }
-    return all;
+    fprintf(f, "%s='", name);
+    for (; *text; text++) fputs(*text == '\'' ? "''" : (char[]){*text, '\0'}, f);
+    fputs("'; ", f);
 }
 
 /* A new drawing is stamped as such even if it is the old one, or it would be drawn again. */
@@ -85,49 +63,40 @@ static int draw(const char *set, const char *script, FILE *f, const char *whole,
     return code;
 }
 
-/* "ROOM/NAME" of the script, without its ending. To be freed. */
-static char *script_name(const Study *study)
+/* "ROOM/NAME" of the script, without its ending. */
+static const char *script_name(const Study *study)
 {
-    return must_text("%s/%s", study_room(study), study->script ? study->script : study->name);
+    return phrase("%s/%s", study_room(study), study->script ? study->script : study->name);
 }
 
 static int draw_format(const Study *study, const char *dir, const char *plots, int k, Fault *fault)
 {
     const char *format = formats[k].name;
-    char *own = script_name(study), *script = must_text("%s/%s%s", plots, own, formats[k].script);
-    char *csv = must_text("%s/%s.csv", dir, study->name);
-    char *whole = must_text("%s/%s.%s", dir, study->name, format);
-    FILE *f = file_begin(whole, fault);
-    char *out = must_text("/proc/self/fd/%d", f ? fileno(f) : -1);
-    const char *const values[][2] = {{"fmt", format},       {"out", out}, {"dir", dir},
-                                     {"name", study->name}, {"csv", csv}, {"plots", plots}};
-    char *own_set = settings(values, 6), *palette = palette_settings();
-    char *set = must_text("%s%s", palette, own_set);
-    free(own_set);
-    free(palette);
-    int code = f ? draw(set, script, f, whole, fault) : FAULT_MACHINE;
+    const char *whole = phrase("%s/%s.%s", dir, study->name, format);
+    const char *script = phrase("%s/%s%s", plots, script_name(study), formats[k].script);
+    char *set;
+    size_t size;
+    FILE *f = file_begin(whole, fault), *settings = must(open_memstream(&set, &size));
+    palette_put(settings);
+    put_setting(settings, "fmt", format);
+    put_setting(settings, "out", phrase("/proc/self/fd/%d", f ? fileno(f) : -1));
+    put_setting(settings, "dir", dir);
+    put_setting(settings, "name", study->name);
+    put_setting(settings, "csv", phrase("%s/%s.csv", dir, study->name));
+    put_setting(settings, "plots", plots);
+    fclose(settings);
+    const int code = f ? draw(must(set), script, f, whole, fault) : FAULT_MACHINE;
     free(set);
-    free(out);
-    free(whole);
-    free(csv);
-    free(script);
-    free(own);
     return code;
-}
-
-static double seconds(struct timespec t)
-{
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 /* Modification time of dir/name+ending [s], or -1 if there is no such file. */
 static double age(const char *dir, const char *name, const char *ending)
 {
     struct stat s;
-    char *path = must_text("%s/%s%s", dir, name, ending);
-    int there = stat(path, &s) == 0;
-    free(path);
-    return there ? seconds(s.st_mtim) : -1;
+    const char *path = phrase("%s/%s%s", dir, name, ending);
+    if (stat(path, &s) != 0) return -1;
+    return (double)s.st_mtim.tv_sec + 1e-9 * (double)s.st_mtim.tv_nsec;
 }
 
 /* Is this file one that the study's figure is drawn from: NAME.var, NAME.csv, NAME.more.csv? */
@@ -153,29 +122,24 @@ static double newest_input(const char *dir, const char *name)
 /* Must this format be drawn? */
 static bool is_due(const Study *study, const char *dir, const char *plots, int k)
 {
-    char *own = script_name(study);
-    const double script = age(plots, own, formats[k].script);
-    free(own);
+    const double script = age(plots, script_name(study), formats[k].script);
     const double inputs =
         fmax(fmax(script, age(plots, "style", ".gp")), newest_input(dir, study->name));
-    char *ending = must_text(".%s", formats[k].name);
-    const bool fresh = age(dir, study->name, ending) > inputs;
-    free(ending);
+    const bool fresh = age(dir, study->name, phrase(".%s", formats[k].name)) > inputs;
     return (script > 0 || formats[k].always) && !fresh;
 }
 
 int plot_study(const Study *study, const char *dir, Fault *fault)
 {
-    char *plots = plot_folder(), *script = script_name(study), folder[PATH_MAX];
+    const char *plots = plot_folder();
+    char folder[PATH_MAX];
     int code = 0;
     if (!plots)
         code = fault_set(fault, FAULT_MACHINE,
                          "no folder plots with style.gp above the program: %s is not drawn",
                          study->name);
-    else if (age(plots, script, ".gp") > 0 && realpath(dir, folder))
+    else if (age(plots, script_name(study), ".gp") > 0 && realpath(dir, folder))
         for (int k = 0; k < FORMATS && code == 0; k++)
             if (is_due(study, folder, plots, k)) code = draw_format(study, folder, plots, k, fault);
-    free(script);
-    free(plots);
     return code;
 }

@@ -2,26 +2,19 @@
 #include "progress.h"
 
 #include <stdio.h>
-#include <time.h>
 #include <unistd.h>
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
+#include "common/base/stopwatch.h"
 
 Progress progress_start(const char *title, int total)
 {
-    return (Progress){title, isatty(STDERR_FILENO) ? total : 0, now(), 0};
+    return (Progress){title, isatty(STDERR_FILENO) ? total : 0, stopwatch_wall(), 0};
 }
 
 void progress_draw(Progress *p, int done)
 {
     static const char full[] = "##############################";
     enum { WIDTH = sizeof full - 1 };
-    double time = now();
+    double time = stopwatch_wall();
     if (p->total == 0 || time - p->drawn < 0.1) return;
     p->drawn = time;
     int filled = (int)((long)done * WIDTH / p->total);

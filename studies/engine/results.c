@@ -19,8 +19,12 @@ typedef struct Part {
     Table *table;
 } Part;
 
+enum { KEPT = 8 };
+
 struct ResultsOwn {
     Part *parts;
+    Table *kept[KEPT]; /* of runs, each over the eighth before it */
+    int read;          /* how many were */
     Table *rows;
     Cases cases;
     int *row; /* [cases.n] the case's row, or -1; NULL: not matched yet */
@@ -121,6 +125,7 @@ int results_close(Results *r, Fault *fault)
     const int code = own->fault.code;
     if (code) fault_set(fault, code, "%s", own->fault.text);
     cases_free(&own->cases);
+    for (int k = 0; k < KEPT; k++) table_free(own->kept[k]);
     table_free(own->rows);
     free(own->row);
     free(own);
@@ -223,4 +228,34 @@ Table *results_file(const Results *r, const char *part)
 char *results_path(const Results *r, const char *part)
 {
     return results_status(r, part)[0] == 'o' ? path_of(r, part, "csv") : NULL;
+}
+
+static const Table *keep(const Results *r, Table *t)
+{
+    Table **place = &r->own->kept[r->own->read++ % KEPT];
+    table_free(*place);
+    return *place = t ? t : no_table();
+}
+
+/* results_run and results_ended: the part's name, formatted. */
+#define PART_NAME(text, part)                                                                      \
+    do {                                                                                           \
+        va_list args;                                                                              \
+        va_start(args, part);                                                                      \
+        vsnprintf(text, sizeof text, part, args);                                                  \
+        va_end(args);                                                                              \
+    } while (0)
+
+const Table *results_run(const Results *r, const char *part, ...)
+{
+    char text[256];
+    PART_NAME(text, part);
+    return keep(r, results_file(r, text));
+}
+
+const Table *results_ended(const Results *r, const char *part, ...)
+{
+    char text[256];
+    PART_NAME(text, part);
+    return keep(r, results_left(r, text));
 }

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include "claims.h"
 #include "collect.h"
+#include "studies/phrase.h"
 #include "studies/runs/must.h"
 #include "plot.h"
 #include "pool.h"
@@ -31,9 +32,8 @@ static int run_missing(const Study *study, const StudyOptions *o, const Cases *c
 static int write_rows(const Study *study, const char *dir, const Cases *cases,
                       const Journal *journal, Fault *fault)
 {
-    char *csv = must_text("%s/%s.csv", dir, study->name);
+    const char *csv = phrase("%s/%s.csv", dir, study->name);
     const int code = study->cases ? sidecar_write_rows(cases, journal, csv, fault) : 0;
-    free(csv);
     return code;
 }
 
@@ -110,7 +110,7 @@ int run_study(const Study *study, const StudyOptions *o, Fault *fault)
 {
     Cases cases;
     Journal journal;
-    char *path = must_text("%s/%s.rows", o->dir, study->name);
+    const char *path = phrase("%s/%s.rows", o->dir, study->name);
     int code = file_make_folder(o->dir, fault);
     if (code == 0)
         code = cases_build(&cases, study, o->quick, o->methods, o->dir, fault);
@@ -126,6 +126,5 @@ int run_study(const Study *study, const StudyOptions *o, Fault *fault)
         journal_close(&journal);
     }
     cases_free(&cases);
-    free(path);
     return code;
 }

@@ -2,7 +2,6 @@
 #include "sidecar.h"
 
 #include <dirent.h>
-#include <errno.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
@@ -10,6 +9,7 @@
 #include <unistd.h>
 #include <zlib.h>
 #include "facts.h"
+#include "studies/phrase.h"
 #include "studies/runs/must.h"
 
 /* Prints the cells of one row (a line without quotes), those of one sort: timing or not. */
@@ -119,8 +119,8 @@ static json_t *describe(const Study *study, const Cases *cases, const Table *t)
 
 int sidecar_write(const Study *study, const Cases *cases, const char *dir, Fault *fault)
 {
-    char *csv = must_text("%s/%s.csv", dir, study->name);
-    char *path = must_text("%s/%s.json", dir, study->name);
+    const char *csv = phrase("%s/%s.csv", dir, study->name);
+    const char *path = phrase("%s/%s.json", dir, study->name);
     Table *t = table_read(csv, fault);
     json_t *json = t ? must(describe(study, cases, t)) : NULL;
     FILE *f = json ? file_begin(path, fault) : NULL;
@@ -132,8 +132,6 @@ int sidecar_write(const Study *study, const Cases *cases, const char *dir, Fault
     }
     json_decref(json);
     table_free(t);
-    free(path);
-    free(csv);
     return code;
 }
 
@@ -158,16 +156,14 @@ static const char *why_not(const Study *study, const char *dir, const json_t *js
 
 bool sidecar_is_current(const Study *study, const char *dir, char reason[128])
 {
-    char *csv = must_text("%s/%s.csv", dir, study->name);
-    char *path = must_text("%s/%s.json", dir, study->name);
+    const char *csv = phrase("%s/%s.csv", dir, study->name);
+    const char *path = phrase("%s/%s.json", dir, study->name);
     json_t *json = json_load_file(path, 0, NULL);
     Table *t = table_read(csv, NULL);
     const char *why = why_not(study, dir, json, t);
     snprintf(reason, 128, "%s", why ? why : "");
     table_free(t);
     json_decref(json);
-    free(path);
-    free(csv);
     return !why;
 }
 
@@ -196,9 +192,8 @@ static int runs_beyond(const json_t *list, const Cases *cases)
 static char *free_name(const char *dir, const char *name)
 {
     for (int k = 1;; k++) {
-        char *json = must_text("%s/%s-%d.json", dir, name, k);
+        const char *json = phrase("%s/%s-%d.json", dir, name, k);
         const bool taken = access(json, F_OK) == 0;
-        free(json);
         if (!taken) return must_text("%s-%d", name, k);
     }
 }
@@ -206,12 +201,10 @@ static char *free_name(const char *dir, const char *name)
 static int rename_part(const char *dir, const char *name, const char *to, const char *ending,
                        Fault *fault)
 {
-    char *from = must_text("%s/%s%s", dir, name, ending),
-         *now = must_text("%s/%s%s", dir, to, ending);
+    const char *from = phrase("%s/%s%s", dir, name, ending),
+               *now = phrase("%s/%s%s", dir, to, ending);
     const int failed = rename(from, now) != 0;
-    if (failed) fault_set(fault, FAULT_MACHINE, "%s: %s", now, strerror(errno));
-    free(from);
-    free(now);
+    if (failed) fault_machine(fault, now);
     return failed ? FAULT_MACHINE : 0;
 }
 
@@ -235,7 +228,7 @@ static int rename_all(const char *dir, const char *name, const char *to, Fault *
 
 int sidecar_keep(const Study *study, const Cases *cases, const char *dir, Fault *fault)
 {
-    char *path = must_text("%s/%s.json", dir, study->name);
+    const char *path = phrase("%s/%s.json", dir, study->name);
     json_t *json = json_load_file(path, 0, NULL);
     int code = 0;
     if (runs_beyond(json_object_get(json, "inputs"), cases)) {
@@ -249,6 +242,5 @@ int sidecar_keep(const Study *study, const Cases *cases, const char *dir, Fault 
         free(to);
     }
     json_decref(json);
-    free(path);
     return code;
 }

@@ -39,6 +39,25 @@ static void interrupted(int number)
     _exit(FAULT_INTERRUPTED);
 }
 
+static volatile sig_atomic_t noted;
+
+static void note(int number)
+{
+    (void)number;
+    noted = 1;
+    signal(SIGINT, interrupted);
+    signal(SIGTERM, interrupted);
+    signal(SIGHUP, interrupted);
+}
+
+const volatile sig_atomic_t *signals_note(void)
+{
+    signal(SIGINT, note);
+    signal(SIGTERM, note);
+    if (signal(SIGHUP, note) == SIG_IGN) signal(SIGHUP, SIG_IGN); /* nohup */
+    return &noted;
+}
+
 void signals_start(void)
 {
     /* A closed stream's number must not become that of a table; writing there is an error. */

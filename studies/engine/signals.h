@@ -16,6 +16,10 @@ void signals_release(const Signals *s);
 /* Waits until one comes, at most `seconds`. Was it a wish to stop? */
 bool signals_wait(const Signals *s, double seconds);
 
+/* From now on the first SIGINT, SIGTERM or SIGHUP only makes the result different from 0; the next
+ * one ends the program. */
+const volatile sig_atomic_t *signals_note(void);
+
 /* The program's start: what the parent process left ignored or closed must not reach a file. */
 void signals_start(void);
 

@@ -54,10 +54,9 @@ static void offsets(double out[OFFSETS][2])
     gsl_rng_free(r);
 }
 
-static char *part_name(char part[96], const char *method, int kind, int mesh, int offset)
+static const char *part_name(const char *method, int kind, int mesh, int offset)
 {
-    snprintf(part, 96, "%s.%s.%d.%d", method, kinds[kind].name, kinds[kind].cells[mesh], offset);
-    return part;
+    return phrase("%s.%s.%d.%d", method, kinds[kind].name, kinds[kind].cells[mesh], offset);
 }
 
 static void add_on_nodes(Cases *list)
@@ -75,22 +74,20 @@ static void add_on_nodes(Cases *list)
 static void cases(Cases *list, bool quick)
 {
     add_on_nodes(list);
-    char part[96];
     double shift[OFFSETS][2];
     offsets(shift);
     for (int k = 0; k < KINDS; k++)
         for (const Info *const *m = kinds[k].engine->methods; *m; m++)
             for (int i = 0;
                  i < (quick ? 1 : MESHES) && engine_has_grid(kinds[k].engine, (*m)->name); i++)
-                for (int o = 0; o < (quick || i ? 1 : OFFSETS); o++) {
+                for (int o = 0; o < (quick || i ? 1 : OFFSETS); o++)
                     case_add_with(
-                        list, "nodes", part_name(part, (*m)->name, k, i, o),
+                        list, "nodes", part_name((*m)->name, k, i, o),
                         "run block --method %s --cells %d --integrator usl --set steps=1 "
                         "--set allow_unstable=1 --set %s --set stretch=%.17g --set angle=%g --set "
                         "drift_x=%g --set offset_x=%.6f --set offset_y=%.6f",
                         (*m)->name, kinds[k].cells[i], kinds[k].dim, STRETCH, kinds[k].angle, DRIFT,
                         shift[o][0], shift[o][1]);
-                }
 }
 
 /* The block's Lame constants, as problems/block.c has them. */
@@ -146,14 +143,13 @@ static void take_node(Span *s, const Ask *a, double place, double f)
 /* Adds the nodes of one run. Both components count; the dots are those of x. */
 static void take_nodes(Span *s, const Ask *a)
 {
-    char part[96];
     const int dim = kinds[a->kind].engine->dim;
     const double h = 1.0 / kinds[a->kind].cells[a->mesh];
     const double dt = BLOCK_CFL * h / BLOCK_SPEED, unit = stress(dim) * (dim > 1 ? h : 1);
-    Table *nodes =
-        results_file(a->results, part_name(part, a->method, a->kind, a->mesh, a->offset));
-    s->files += nodes != NULL;
-    for (int i = 0; nodes && i < nodes->nrow; i++) {
+    const Table *nodes =
+        results_run(a->results, "%s", part_name(a->method, a->kind, a->mesh, a->offset));
+    s->files += nodes->nrow > 0;
+    for (int i = 0; i < nodes->nrow; i++) {
         const double m = select_number(nodes, i, "mass") / (dt * unit);
         const double x = select_number(nodes, i, "x") - 1.5 - a->shift[0] * h;
         const double y = dim > 1 ? select_number(nodes, i, "y") - 1.5 - a->shift[1] * h : 0;
@@ -162,7 +158,6 @@ static void take_nodes(Span *s, const Ask *a)
         if (dim > 1)
             s->largest = measure_worse(s->largest, fabs(m * select_number(nodes, i, "vy")));
     }
-    table_free(nodes);
 }
 
 static Span all_nodes(Ask a)

@@ -29,24 +29,21 @@ static bool takes(const Engine *e, const Info *method, int variant)
            (!variants[variant].param || engine_takes(method, variants[variant].param));
 }
 
-static char *part_name(char part[96], const char *method, int dim, int variant)
+static const char *part_name(const char *method, int dim, int variant)
 {
-    snprintf(part, 96, "%s.%d.%d", method, dim, variant);
-    return part;
+    return phrase("%s.%d.%d", method, dim, variant);
 }
 
-static char *place_name(char part[96], int dim, int place)
+static const char *place_name(int dim, int place)
 {
-    snprintf(part, 96, "place.%d.%d", dim, place);
-    return part;
+    return phrase("place.%d.%d", dim, place);
 }
 
 static void add_places(Cases *list, bool quick)
 {
-    char part[96];
     for (int dim = 1; dim <= 2; dim++)
         for (int k = 0; k < (quick ? 1 : PLACES); k++)
-            case_add_with(list, "history", place_name(part, dim, k),
+            case_add_with(list, "history", place_name(dim, k),
                           "run block --method ge_wls --cells %d --set dim=%d --set ripple=1e-4 "
                           "--set offset_x=%.2f --set offset_y=0.3 --t-end %.17g",
                           COARSE, dim, k / (double)PLACES,
@@ -55,14 +52,13 @@ static void add_places(Cases *list, bool quick)
 
 static void cases(Cases *list, bool quick)
 {
-    char part[96];
     add_places(list, quick);
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
             for (int v = 0; v < VARIANTS; v++) {
                 const int cells = (*e)->dim == 1 ? 128 : 16, steps = quick ? 10 : STEPS;
                 if (!takes(*e, *m, v)) continue;
-                case_add_with(list, "history", part_name(part, (*m)->name, (*e)->dim, v),
+                case_add_with(list, "history", part_name((*m)->name, (*e)->dim, v),
                               "run block --method %s --cells %d --set dim=%d --set ripple=1e-4 "
                               "--set offset_x=0.3 --set offset_y=0.2 --t-end %.17g%s%s",
                               (*m)->name, cells, (*e)->dim,
@@ -73,30 +69,28 @@ static void cases(Cases *list, bool quick)
 
 static void write_one(FILE *f, const Results *r, const char *method, int dim, int variant)
 {
-    char part[96];
-    Table *t = results_left(r, part_name(part, method, dim, variant));
-    for (int k = 0; t && k < SHOWN; k++)
+    const char *part = part_name(method, dim, variant);
+    const Table *t = results_ended(r, "%s", part);
+    for (int k = 0; k < SHOWN; k++)
         if (shown[k] < t->nrow)
             fprintf(f, "%s,%d,%s,%d,%.10g,%s\n", method, dim, variants[variant].name, shown[k],
                     sqrt(select_number(t, shown[k], "kinetic") / select_number(t, 0, "kinetic")),
                     results_status(r, part));
-    table_free(t);
 }
 
 /* The most that was ever left of it, wherever the block lies. */
 static void write_places(FILE *f, const Results *r)
 {
-    char part[96];
     for (int dim = 1; dim <= 2; dim++)
         for (int k = 0; k < PLACES; k++) {
-            Table *t = results_left(r, place_name(part, dim, k));
+            const Table *t = results_ended(r, "%s", place_name(dim, k));
             double most = 0;
-            for (int row = 0; t && row < t->nrow; row++)
+            for (int row = 0; row < t->nrow; row++)
                 most = measure_worse(most, select_number(t, row, "kinetic"));
-            if (t && t->nrow > 0)
+            if (t->nrow > 0)
                 fprintf(f, "%d,%.2f,%.10g,%s\n", dim, k / (double)PLACES,
-                        sqrt(most / select_number(t, 0, "kinetic")), results_status(r, part));
-            table_free(t);
+                        sqrt(most / select_number(t, 0, "kinetic")),
+                        results_status(r, place_name(dim, k)));
         }
 }
 

@@ -33,18 +33,20 @@ static const struct {
     const char *name, *setting;
 } variants[VARIANTS] = {{"usual", ""}, {"undeformed", " --set domain=undeformed"}};
 
-static char *part_name(char part[96], const char *method, int kind, int variant)
+static const char *part_name(const char *method, int kind, int variant)
 {
-    snprintf(part, 96, "%s.%s.%s", method, kinds[kind].name, variants[variant].name);
-    return part;
+    return phrase("%s.%s.%s", method, kinds[kind].name, variants[variant].name);
+}
+
+static const char *force_name(const char *method, int kind)
+{
+    return phrase("%s.%s.force", method, kinds[kind].name);
 }
 
 /* After a step from rest the nodes of a stretched bar have v = f/m dt. */
 static void add_forces(Cases *list, const char *method, int kind)
 {
-    char part[96];
-    snprintf(part, sizeof part, "%s.%s.force", method, kinds[kind].name);
-    case_add_with(list, "nodes", part,
+    case_add_with(list, "nodes", force_name(method, kind),
                   "run block --method %s --cells %d --ppc %d --integrator usl --set dim=1 --set "
                   "stretch=%g --set box=6 --set offset_x=0.3 --set steps=1 --set allow_unstable=1",
                   method, kinds[kind].cells, kinds[kind].ppc, MOST);
@@ -52,21 +54,20 @@ static void add_forces(Cases *list, const char *method, int kind)
 
 static void cases(Cases *list, bool quick)
 {
-    char part[96], text[256];
     for (int k = quick ? 1 : 0; k < (quick ? 2 : KINDS); k++)
         for (const Info *const *m = kinds[k].engine->methods; *m; m++)
             for (int v = 0; v < VARIANTS; v++) {
                 const double dt = BLOCK_CFL / (kinds[k].cells * BLOCK_SPEED);
                 const double growth = log(1 + RATE * BLOCK_SPEED * dt);
-                snprintf(text, sizeof text,
-                         "run block --method %s --cells %d --ppc %d --set dim=%d --set rate=%g "
-                         "--set box=6 --t-end %.17g%s",
-                         (*m)->name, kinds[k].cells, kinds[k].ppc, kinds[k].engine->dim, RATE,
-                         ceil(log(MOST) / growth) * dt, variants[v].setting);
+                const char *text =
+                    phrase("run block --method %s --cells %d --ppc %d --set dim=%d --set rate=%g "
+                           "--set box=6 --t-end %.17g%s",
+                           (*m)->name, kinds[k].cells, kinds[k].ppc, kinds[k].engine->dim, RATE,
+                           ceil(log(MOST) / growth) * dt, variants[v].setting);
                 if (v > 0 &&
                     (!engine_has_grid(kinds[k].engine, (*m)->name) || !run_args_is_run("%s", text)))
                     continue;
-                case_add_with(list, "history", part_name(part, (*m)->name, k, v), "%s", text);
+                case_add_with(list, "history", part_name((*m)->name, k, v), "%s", text);
                 if (v == 0 && kinds[k].engine->dim == 1) add_forces(list, (*m)->name, k);
             }
 }
@@ -75,18 +76,15 @@ static void cases(Cases *list, bool quick)
  * Forces are those before the step, so that a run that is lost in it (status) has them, too. */
 static double force_inside(const Results *r, const char *method, int kind, const char **status)
 {
-    char part[96];
     const double dt = BLOCK_CFL / (kinds[kind].cells * BLOCK_SPEED);
     const double stress = 0.5e4 * (MOST - 1 / MOST);
-    snprintf(part, sizeof part, "%s.%s.force", method, kinds[kind].name);
-    *status = results_status(r, part);
-    Table *t = strcmp(*status, "absent") ? results_left(r, part) : NULL;
+    *status = results_status(r, force_name(method, kind));
+    const Table *t = results_ended(r, "%s", force_name(method, kind));
     double most = -INFINITY;
-    for (int k = 0; t && k < t->nrow; k++) {
+    for (int k = 0; strcmp(*status, "absent") && k < t->nrow; k++) {
         const double f = select_number(t, k, "mass") * select_number(t, k, "vx") / (dt * stress);
         if (fabs(select_number(t, k, "x") - 3) < MOST / 4) most = measure_worse(most, fabs(f));
     }
-    table_free(t);
     return isinf(most) ? NAN : most;
 }
 
@@ -116,18 +114,17 @@ static void write_one(FILE *curve, FILE *onset, const Table *t, const char *head
 
 static void write_all(FILE *curve, FILE *onset, const Results *r)
 {
-    char part[96], head[128];
     for (int k = 0; k < KINDS; k++)
         for (const Info *const *m = kinds[k].engine->methods; *m; m++)
             for (int v = 0; v < VARIANTS; v++) {
-                Table *t = results_left(r, part_name(part, (*m)->name, k, v));
+                const char *part = part_name((*m)->name, k, v);
+                const Table *t = results_ended(r, "%s", part);
                 const char *status = "absent";
                 const double force = v ? NAN : force_inside(r, (*m)->name, k, &status);
-                snprintf(head, sizeof head, "%s,%s,%s", kinds[k].name, (*m)->name,
-                         variants[v].name);
-                if (t && t->nrow > 1)
-                    write_one(curve, onset, t, head, results_status(r, part), force, status);
-                table_free(t);
+                if (t->nrow > 1)
+                    write_one(curve, onset, t,
+                              phrase("%s,%s,%s", kinds[k].name, (*m)->name, variants[v].name),
+                              results_status(r, part), force, status);
             }
 }
 

@@ -28,19 +28,17 @@ static double shear_modulus(const char *nu)
     return plate_E / (2 * (1 + strtod(nu, NULL)));
 }
 
-static char *part_name(char part[64], int scene, const char *method, int cells, const char *nu)
+static const char *part_name(int scene, const char *method, int cells, const char *nu)
 {
-    snprintf(part, 64, "%s.%s.%d.%s", scenes[scene], method, cells, nu);
-    return part;
+    return phrase("%s.%s.%d.%s", scenes[scene], method, cells, nu);
 }
 
 static void add(Cases *list, int scene, const char *method, int cells, const char *nu)
 {
-    char part[64], plate[96] = "";
-    if (scene == PLATE)
-        snprintf(plate, sizeof plate, " --set A=%g --t-end %.17g", amplitude,
-                 sqrt(2) / sqrt(shear_modulus(nu)) / 6);
-    case_add_with(list, "samples", part_name(part, scene, method, cells, nu),
+    const char *plate = scene != PLATE ? ""
+                                       : phrase(" --set A=%g --t-end %.17g", amplitude,
+                                                sqrt(2) / sqrt(shear_modulus(nu)) / 6);
+    case_add_with(list, "samples", part_name(scene, method, cells, nu),
                   "run %s --method %s --cells %d --set nu=%s%s", scenes[scene], method, cells, nu,
                   plate);
 }
@@ -65,12 +63,11 @@ typedef struct Cloud {
 
 static Cloud cloud_read(const Results *r, int scene, const char *method, int cells, const char *nu)
 {
-    char part[64];
-    Table *t = results_file(r, part_name(part, scene, method, cells, nu));
-    const size_t room = t ? (size_t)t->nrow + 1 : 1;
+    const Table *t = results_run(r, "%s", part_name(scene, method, cells, nu));
+    const size_t room = (size_t)t->nrow + 1;
     Cloud c = {.X = must(calloc(6 * room, sizeof(double)))};
     c.Y = c.X + room, c.u = c.Y + room, c.v = c.u + room, c.m = c.v + room, c.p = c.m + room;
-    for (int k = 0; t && k < t->nrow; k++) {
+    for (int k = 0; k < t->nrow; k++) {
         if (!(select_number(t, k, "mass") > 0)) continue;
         c.X[c.n] = select_number(t, k, "X");
         c.Y[c.n] = select_number(t, k, "Y");
@@ -82,7 +79,6 @@ static Cloud cloud_read(const Results *r, int scene, const char *method, int cel
                    3;
         c.n++;
     }
-    table_free(t);
     return c;
 }
 

@@ -59,8 +59,7 @@ static double offset(int edge, int depth)
 
 static void add_ladder(Cases *list, int dim, const char *method, int e, int d)
 {
-    char second[64] = "";
-    if (dim > 0) snprintf(second, sizeof second, " --set offset_y=%.10g", offset(e, d));
+    const char *second = dim > 0 ? phrase(" --set offset_y=%.10g", offset(e, d)) : "";
     for (int k = 0; k < RUNGS; k++)
         case_add(list,
                  "run block --method %s --integrator cd --cells %d --ppc %d --cfl %g --t-end %g "
@@ -85,9 +84,9 @@ static void cases(Cases *list, bool quick)
 static bool window(const Ladder *l, int *low, int *high)
 {
     *high = l->n - 1;
-    while (*high >= 0 && l->grade[*high] != STABLE) *high -= 1;
+    while (*high >= 0 && l->grade[*high] != MARK_OK) *high -= 1;
     *low = *high;
-    while (*low > 0 && l->grade[*low - 1] == STABLE) *low -= 1;
+    while (*low > 0 && l->grade[*low - 1] == MARK_OK) *low -= 1;
     return *high >= 0;
 }
 

@@ -25,18 +25,16 @@ static bool is_shown(const char *method)
     return false;
 }
 
-static char *part_name(char part[96], int scene, const char *method, int variant)
+static const char *part_name(int scene, const char *method, int variant)
 {
-    snprintf(part, 96, "%s.%s.%s", scenes[scene].problem, method, variants[variant]);
-    return part;
+    return phrase("%s.%s.%s", scenes[scene].problem, method, variants[variant]);
 }
 
 /* Does it return through splines, as it comes or by this variant? */
 static bool is_spline(const Info *method, int variant)
 {
-    for (const Param *p = method->params; p && p->name; p++)
-        if (strcmp(p->name, "return") == 0) return variant > 0 || p->value > 0;
-    return false;
+    const Param *p = info_param_find(method->params, "return");
+    return p && (variant > 0 || p->value > 0);
 }
 
 /* Not a second time what the method does as it comes. */
@@ -47,12 +45,12 @@ static bool has_variant(const Info *method, int variant)
 
 static void add(Cases *list, int scene, const Info *method, int mesh, int variant, bool quick)
 {
-    char part[96], text[256];
-    snprintf(text, sizeof text, "run %s --method %s --cells %d --t-end %.17g%s",
-             scenes[scene].problem, method->name, scenes[scene].cells[mesh],
-             scenes[scene].t_end * (quick ? 0.05 : 1), variant ? " --set return=spline" : "");
+    const char *text =
+        phrase("run %s --method %s --cells %d --t-end %.17g%s", scenes[scene].problem, method->name,
+               scenes[scene].cells[mesh], scenes[scene].t_end * (quick ? 0.05 : 1),
+               variant ? " --set return=spline" : "");
     if (mesh == MESHES - 1 && is_shown(method->name))
-        case_add_with(list, "history", part_name(part, scene, method->name, variant), "%s", text);
+        case_add_with(list, "history", part_name(scene, method->name, variant), "%s", text);
     else
         case_add(list, "%s", text);
 }
@@ -91,8 +89,9 @@ static Long long_runs(const Table *rows, int scene, const Info *method, int vari
 
 static Mark mark_long(Long l)
 {
-    return l.lost || l.n == 0 ? MARK_LOST
-                              : grade_mark_of(measure_worse(l.gain, l.loss), 0.05, INFINITY);
+    return l.lost || l.n == 0
+               ? MARK_LOST
+               : grade_mark_of(measure_worse(l.gain, l.loss), ENGINE_GROWTH, INFINITY);
 }
 
 /* NAME.drift.csv: problem,method,variant,lost,gain,loss,runs,status. */
@@ -127,21 +126,19 @@ static void write_one(FILE *drift, FILE *grades, FILE *remedies, const Table *ro
 /* NAME.ledger.csv: problem,method,variant,t,ledger: every so many instants of the histories. */
 static void write_ledger(FILE *f, const Results *r)
 {
-    char part[96];
     for (int s = 0; s < SCENES; s++)
         for (int m = 0; m < SHOWN; m++)
             for (int v = 0; v < VARIANTS; v++) {
-                Table *t = results_left(r, part_name(part, s, shown[m], v));
+                const Table *t = results_ended(r, "%s", part_name(s, shown[m], v));
                 double most = 0;
-                for (int k = 0; t && k < t->nrow; k++)
+                for (int k = 0; k < t->nrow; k++)
                     most = measure_worse(most, select_number(t, k, "total"));
-                for (int k = 0; t && k < t->nrow; k += EVERY)
+                for (int k = 0; k < t->nrow; k += EVERY)
                     fprintf(f, "%s,%s,%s,%.6g,%.6g\n", scenes[s].problem, shown[m], variants[v],
                             select_number(t, k, "t"),
                             (select_number(t, k, "total") - select_number(t, k, "external_work") -
                              select_number(t, 0, "total")) /
                                 most);
-                table_free(t);
             }
 }
 
@@ -175,7 +172,7 @@ static void check(Check *c, const Results *r)
 {
     static const char smooth[] = "gimp ge_gimp bspline apic tpic xpic fmpm fem";
     const Table *t = results_part(r, "drift");
-    const double growth = 0.05; /* what the program calls growth */
+    const double growth = ENGINE_GROWTH;
     claim(c, "H-13.smooth",
           "Long runs: GIMP, GE-GIMP, B-splines, APIC, TPIC, XPIC, FMPM, FEM: most runs lost of any "
           "method and scene",

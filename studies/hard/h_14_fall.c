@@ -32,7 +32,7 @@ static Measure worst(const Table *rows, const char *method, int from, int to)
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         for (const Info *const *m = (*e)->methods; *m; m++)
             for (int k = from; k < to && (k == 0 || engine_has_grid(*e, (*m)->name)); k++)
-                most.needs += !method || strcmp(method, (*m)->name) == 0;
+                most.needs += method ? strcmp(method, (*m)->name) == 0 : !(*m)->on_request;
     for (int row = 0; row < rows->nrow; row++)
         for (int k = from; k < to; k++)
             if ((!method || select_is(rows, row, "method", method)) &&

@@ -107,15 +107,12 @@ static void check_ring(Check *c, const Table *rows)
     claim(c, "T-1b.rms-fine", "GE-WLS, ring: rms error over FEM's, worst of N = 64 ... 128",
           worst_share(rows, "error_l2", 64, 128), 0, 0.75);
     static const char four_periods[] = "problem=ring method=%s cells=%d t_end=0.08";
-    for (int n = 32; n <= 64; n *= 2) {
-        char id[32], text[96];
-        snprintf(id, sizeof id, "T-1b.four-%d", n);
-        snprintf(text, sizeof text, "four periods, N = %d: largest error over FEM's", n);
-        claim(c, id, text,
+    for (int n = 32; n <= 64; n *= 2)
+        claim(c, phrase("T-1b.four-%d", n),
+              phrase("four periods, N = %d: largest error over FEM's", n),
               measure_ratio(select_value(rows, "error_linf", four_periods, "ge_wls", n),
                             select_value(rows, "error_linf", four_periods, "fem", n)),
               0, 1);
-    }
 }
 
 /* Mean and spread of errors over whole rings off the grid lines. */
@@ -163,12 +160,11 @@ static Measure disk_energy(const Results *r, double t, bool most)
 {
     Measure out = measure_max_of(INSTANTS);
     double last = NAN;
-    Table *h = results_file(r, "disk");
-    for (int k = 0; h && k < h->nrow && select_number(h, k, "t") <= t; k++) {
+    const Table *h = results_run(r, "disk");
+    for (int k = 0; k < h->nrow && select_number(h, k, "t") <= t; k++) {
         last = select_number(h, k, "total") / select_number(h, 0, "total");
         measure_add_max(&out, last);
     }
-    table_free(h);
     return most || isnan(out.value) ? out : measure_with(out, last);
 }
 
@@ -182,10 +178,7 @@ static void check_scenes(Check *c, const Results *r)
           0.91, 1.005);
     claim(c, "T-1b.disk-most", "GE-WLS, disk: largest energy over E0 until t = 4",
           disk_energy(r, late, true), 0.99, 1.001);
-    Table *reference = results_file(r, "reference"), *plate = results_file(r, "plate");
-    hole_measure(reference, 256, plate, 32, &rms, &scatter);
-    table_free(reference);
-    table_free(plate);
+    hole_measure(results_run(r, "reference"), 256, results_run(r, "plate"), 32, &rms, &scatter);
     claim(
         c, "T-1b.plate",
         "GE-WLS, plate, h = 1/32: rms difference of stress along the hole from the reference [GPa]",

@@ -45,49 +45,43 @@ static const char *part_label(int part)
     return part == WHOLE ? "all" : parts[part].setting;
 }
 
-static char *file_part(char text[96], int scene, const char *what)
+static const char *file_part(int scene, const char *what)
 {
-    snprintf(text, 96, "%s.%s", scenes[scene].problem, what);
-    return text;
+    return phrase("%s.%s", scenes[scene].problem, what);
 }
 
 /* set: " --set name=value", or "". */
 static void add_scene(Cases *list, int scene, const char *method, const char *what, const char *set,
                       bool quick)
 {
-    char part[96], end[48] = "", line[320];
     const int n = quick ? scenes[scene].quick : scenes[scene].cells;
+    const char *end = "", *line;
     if (scene == BLOCK)
-        snprintf(end, sizeof end, " --t-end %.17g",
-                 (quick ? 10 : STEPS) * BLOCK_CFL / (n * BLOCK_SPEED));
-    snprintf(line, sizeof line, "run %s --method %s --cells %d%s%s%s", scenes[scene].problem,
-             method, n, scenes[scene].more, end, set);
+        end = phrase(" --t-end %.17g", (quick ? 10 : STEPS) * BLOCK_CFL / (n * BLOCK_SPEED));
+    line = phrase("run %s --method %s --cells %d%s%s%s", scenes[scene].problem, method, n,
+                  scenes[scene].more, end, set);
     if (scenes[scene].file)
-        case_add_with(list, scenes[scene].file, file_part(part, scene, what), "%s", line);
+        case_add_with(list, scenes[scene].file, file_part(scene, what), "%s", line);
     else
         case_add(list, "%s", line);
 }
 
 static void cases(Cases *list, bool quick)
 {
-    char what[64], set[64] = "";
     case_add_with(list, "samples", "reference", "run hole_plate --method fem --cells %d",
                   quick ? 32 : FINE);
     for (int k = 0; k < (quick ? 2 : MESHES); k++)
         case_add(list, "run ring --method fem --cells %d", cells[k]);
     for (int part = WHOLE; part < PARTS; part++) {
-        if (part != WHOLE)
-            snprintf(set, sizeof set, " --set %s=%s", parts[part].setting, parts[part].without);
+        const char *set =
+            part == WHOLE ? "" : phrase(" --set %s=%s", parts[part].setting, parts[part].without);
         for (int s = 0; s < SCENES; s++) add_scene(list, s, "ge_wls", part_label(part), set, quick);
         for (int k = 0; k < (quick ? 2 : MESHES); k++)
             if (cells[k] != (quick ? scenes[RING].quick : scenes[RING].cells))
                 case_add(list, "run ring --method ge_wls --cells %d%s", cells[k], set);
     }
-    for (int k = 0; k < CURES; k++) {
-        snprintf(what, sizeof what, "wls2-%d", k);
-        snprintf(set, sizeof set, " --set %s", cures[k]);
-        add_scene(list, BLOCK, "wls2", what, set, quick);
-    }
+    for (int k = 0; k < CURES; k++)
+        add_scene(list, BLOCK, "wls2", phrase("wls2-%d", k), phrase(" --set %s", cures[k]), quick);
 }
 
 /* A number of GE-WLS without this part. */
@@ -105,25 +99,19 @@ static Measure value_of(const Table *rows, const char *problem, int n, int part,
 /* From a history: sqrt(K/K_0) at its end, or |E/E_0 - 1|. */
 static Measure history_end(const Results *r, int scene, const char *what)
 {
-    char part[96];
     const char *column = scene == BLOCK ? "kinetic" : "total";
-    Table *h = results_file(r, file_part(part, scene, what));
-    const int last = h ? h->nrow - 1 : 0;
+    const Table *h = results_run(r, "%s", file_part(scene, what));
+    const int last = h->nrow - 1;
     const double ratio =
         last > 0 ? select_number(h, last, column) / select_number(h, 0, column) : NAN;
-    table_free(h);
     return measure(scene == BLOCK ? sqrt(ratio) : fabs(ratio - 1), !isnan(ratio), 1);
 }
 
 static Measure plate_rms(const Results *r, const char *what)
 {
     Measure rms = measure_sum_of(RIM), scatter = measure_sum_of(RIM);
-    char part[96];
-    Table *fine = results_file(r, "reference");
-    Table *plate = results_file(r, file_part(part, PLATE, what));
-    hole_measure(fine, FINE, plate, scenes[PLATE].cells, &rms, &scatter);
-    table_free(fine);
-    table_free(plate);
+    hole_measure(results_run(r, "reference"), FINE, results_run(r, "%s", file_part(PLATE, what)),
+                 scenes[PLATE].cells, &rms, &scatter);
     return rms;
 }
 
@@ -164,17 +152,16 @@ static void check_parts(Check *c, const Table *gains)
 {
     static const double low[PARTS] = {1.4, 1.1, 5, 2, 50, 50, 2};
     for (int part = 0; part < PARTS; part++) {
-        char id[64], text[160];
         Measure most = measure_max_of(SCENES);
         for (int s = 0; s < SCENES; s++)
             for (int row = -1; (row = select_next(gains, row, "part=%s what=%s", part_label(part),
                                                   scenes[s].problem)) >= 0;)
                 measure_add_max(&most, select_number(gains, row, "value"));
-        snprintf(id, sizeof id, "T-1c.%s", parts[part].setting);
-        snprintf(text, sizeof text,
-                 "GE-WLS without %s=%s: largest factor by which an error grows, of seven scenes",
-                 parts[part].setting, parts[part].with);
-        claim(c, id, text, most, low[part], 1e5);
+        claim(
+            c, phrase("T-1c.%s", parts[part].setting),
+            phrase("GE-WLS without %s=%s: largest factor by which an error grows, of seven scenes",
+                   parts[part].setting, parts[part].with),
+            most, low[part], 1e5);
     }
 }
 

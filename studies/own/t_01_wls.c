@@ -73,12 +73,10 @@ static void cases(Cases *list, bool quick)
         }
     }
     for (int m = 0; m < METHODS; m++)
-        for (int k = 0; k < (quick ? 2 : CUT_MESHES); k++) {
-            char part[64];
-            snprintf(part, sizeof part, "%s.%d", cut_methods[m], cut_cells[k]);
-            case_add_with(list, "patches", part, "run ring --method %s --cells %d --set steps=1",
-                          cut_methods[m], cut_cells[k]);
-        }
+        for (int k = 0; k < (quick ? 2 : CUT_MESHES); k++)
+            case_add_with(list, "patches", phrase("%s.%d", cut_methods[m], cut_cells[k]),
+                          "run ring --method %s --cells %d --set steps=1", cut_methods[m],
+                          cut_cells[k]);
 }
 
 /* Largest distance [m] of any cut point of a file of patches from the ring's radii at the start;
@@ -105,11 +103,10 @@ static double cut_error(char *path, int n)
 
 static void tables(const Results *r)
 {
-    char part[64];
     FILE *f = results_write(r, "cuts", "method,cells,error,status");
     for (int m = 0; m < METHODS; m++)
         for (int k = 0; k < (r->quick ? 2 : CUT_MESHES); k++) {
-            snprintf(part, sizeof part, "%s.%d", cut_methods[m], cut_cells[k]);
+            const char *part = phrase("%s.%d", cut_methods[m], cut_cells[k]);
             fprintf(f, "%s,%d,%.17g,%s\n", cut_methods[m], cut_cells[k],
                     cut_error(results_path(r, part), cut_cells[k]), results_status(r, part));
         }
@@ -122,33 +119,22 @@ static const char *setting(int run, int which)
 }
 
 /* The rows of a run: all settings as they are in it; not those that only draw cut cells. */
-static const char *where_is(int run, char out[256])
+static const char *where_is(int run)
 {
-    int n = snprintf(out, 256, "method=%s set.steps=0", runs[run].cures ? "wls2" : "wls");
-    for (int k = 0; k < SETTINGS; k++)
-        n += snprintf(out + n, 256 - (size_t)n, " %s=%s", names[k], setting(run, k));
-    return out;
+    const char *where = phrase("method=%s set.steps=0", runs[run].cures ? "wls2" : "wls");
+    for (int k = 0; k < SETTINGS; k++) where = phrase("%s %s=%s", where, names[k], setting(run, k));
+    return where;
 }
 
-static void pick(Curve *c, const Table *rows, const char *want, int run)
+static Measure error_at(const Table *rows, int run, int n)
 {
-    char where[256];
-    curve_pick(c, rows, "cells", want, "%s", where_is(run, where));
-}
-
-static Measure error_at(const Table *rows, int run, double n)
-{
-    Curve c;
-    pick(&c, rows, "error_linf", run);
-    return curve_at(&c, n);
+    return select_value(rows, "error_linf", "%s cells=%d", where_is(run), n);
 }
 
 /* Fitted order over the meshes from .. to, `meshes` of them. */
 static Measure order(const Table *rows, int run, double from, double to, int meshes)
 {
-    Curve c;
-    pick(&c, rows, "error_linf", run);
-    return measure_times(curve_order(&c, from, to, meshes), -1);
+    return curve_order_in_h(rows, "error_linf", from, to, meshes, "%s", where_is(run));
 }
 
 static void check_values(Check *c, const Table *rows)
@@ -158,10 +144,10 @@ static void check_values(Check *c, const Table *rows)
     static const double wls2[][3] = {
         {8, 6.60e-3, 1}, {16, 1.88e-3, 1}, {32, 5.31e-4, 1}, {64, 1.11e-4, 1}, {128, 2.79e-5, 1}};
     Curve curve;
-    pick(&curve, rows, "error_linf", WLS);
+    curve_pick(&curve, rows, "cells", "error_linf", "%s", where_is(WLS));
     claim(c, "T-1.wls-values", "WLS: largest departure from the recorded errors at N = 8 ... 128",
           curve_deviation(&curve, 5, wls), 0, 0.15);
-    pick(&curve, rows, "error_linf", WLS2);
+    curve_pick(&curve, rows, "cells", "error_linf", "%s", where_is(WLS2));
     claim(c, "T-1.wls2-values", "WLS2: largest departure from the recorded errors at N = 8 ... 128",
           curve_deviation(&curve, 5, wls2), 0, 0.15);
 }
@@ -190,14 +176,13 @@ static void check_causes(Check *c, const Table *rows)
 /* Readings of the text that do not run. */
 static void check_failures(Check *c, const Table *rows)
 {
-    char where[256];
     Measure lost = measure_sum_of(5);
     claim(c, "T-1.c0",
           "WLS with values at nodes only, no slopes: largest error at N = 64 (WLS: 2.7e-4)",
           error_at(rows, C0, 64), 5e-3, 1);
     for (int k = 0; k < 5; k++) {
         const double steps =
-            select_ended(rows, "steps", "%s cells=%d", where_is(LITERAL, where), cells[k]).value;
+            select_ended(rows, "steps", "%s cells=%d", where_is(LITERAL), cells[k]).value;
         measure_add(&lost, isnan(steps) ? NAN : steps < 20);
     }
     claim(c, "T-1.literal",
@@ -212,7 +197,7 @@ static void check_cuts(Check *c, const Results *r)
     for (int m = 0; m < METHODS; m++) {
         Curve curve;
         curve_pick(&curve, t, "cells", "error", "method=%s", cut_methods[m]);
-        order[m] = measure_times(curve_order(&curve, 16, 128, 4), -1);
+        order[m] = curve_order_in_h(t, "error", 16, 128, 4, "method=%s", cut_methods[m]);
         for (int k = 0; k < curve.n; k++) curve.y[k] *= curve.x[k] * curve.x[k];
         most[m] = curve_max(&curve, CUT_MESHES);
     }

@@ -12,6 +12,7 @@
  * loses .14 % instead of .07 %. */
 #include <math.h>
 #include <string.h>
+#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
 #include "studies/tables/pairs.h"
 
@@ -53,13 +54,10 @@ static int grade(const Table *rows, int row)
     return drift <= 0.001 ? 0 : drift <= 0.05 ? 1 : 2;
 }
 
-/* The method's place in its engine's list. */
+/* The method's line in the figure. */
 static int line_of(const Table *rows, int row)
 {
-    const Engine *engine = scenes[dim_of(rows, row) - 1].engine;
-    int line = 0;
-    while (strcmp(engine->methods[line]->name, select_text(rows, row, "method")) != 0) line++;
-    return line;
+    return engine_line(scenes[dim_of(rows, row) - 1].engine, select_text(rows, row, "method"));
 }
 
 /* E/E0 at the end. The column is (E - E0) over the largest energy, which is E if energy was gained

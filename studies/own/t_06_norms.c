@@ -32,19 +32,17 @@ static const Ladder ladders[] = {
 };
 enum { LADDERS = sizeof ladders / sizeof *ladders };
 
-static char *part_name(char part[64], const Ladder *l, const char *method, int cells)
+static const char *part_name(const Ladder *l, const char *method, int cells)
 {
-    snprintf(part, 64, "%s.%s.%d", l->problem, method, cells);
-    return part;
+    return phrase("%s.%s.%d", l->problem, method, cells);
 }
 
 static void cases(Cases *list, bool quick)
 {
-    char part[64];
     for (const Ladder *l = ladders; l < ladders + LADDERS; l++)
         for (int m = 0; m < 3 && l->methods[m]; m++)
             for (int k = 0; k < (quick ? 3 : MESHES) && l->cells[k]; k++)
-                case_add_with(list, "errors", part_name(part, l, l->methods[m], l->cells[k]),
+                case_add_with(list, "errors", part_name(l, l->methods[m], l->cells[k]),
                               "run %s --method %s --cells %d%s", l->problem, l->methods[m],
                               l->cells[k], l->settings);
 }
@@ -68,15 +66,13 @@ static void end_norms(const Table *points, double out[3])
 static int six_norms(const Results *r, const Ladder *l, const char *method, int cells,
                      double out[NORMS])
 {
-    char part[64];
-    Table *points = results_file(r, part_name(part, l, method, cells));
-    if (!points) return -1;
+    const Table *points = results_run(r, "%s", part_name(l, method, cells));
+    if (!points->nrow) return -1;
     for (int k = 0; k < 3; k++)
         out[k] = select_value(r->rows, columns[k], "problem=%s method=%s cells=%d", l->problem,
                               method, cells)
                      .value;
     end_norms(points, out + 3);
-    table_free(points);
     return 0;
 }
 
@@ -104,9 +100,8 @@ typedef struct Cloud {
 
 static Cloud cloud_read(const Results *r, const Ladder *l, const char *method, int cells)
 {
-    char part[64];
-    Table *t = results_file(r, part_name(part, l, method, cells));
-    Cloud c = {.n = t ? t->nrow : 0};
+    const Table *t = results_run(r, "%s", part_name(l, method, cells));
+    Cloud c = {.n = t->nrow};
     c.x = must(calloc(3 * (size_t)c.n + 1, sizeof *c.x));
     c.y = c.x + c.n;
     c.error = c.y + c.n;
@@ -115,7 +110,6 @@ static Cloud cloud_read(const Results *r, const Ladder *l, const char *method, i
         c.y[k] = select_number(t, k, "Y");
         c.error[k] = select_number(t, k, "error");
     }
-    table_free(t);
     return c;
 }
 

@@ -43,34 +43,20 @@ static void cases(Cases *list, bool quick)
     }
 }
 
-/* Errors on the shell; body: of FEM, else "". */
-static void shell_errors(Curve *c, const Table *t, const char *method, const char *body)
+/* The rows of a method on the shell; body: of FEM, else "". */
+static const char *shell(const char *method, const char *body)
 {
-    if (*body)
-        curve_pick(c, t, "cells", "error_linf", "problem=shell method=%s body=%s", method, body);
-    else
-        curve_pick(c, t, "cells", "error_linf", "problem=shell method=%s", method);
+    return phrase("problem=shell method=%s%s%s", method, *body ? " body=" : "", body);
 }
 
-static Measure error_at(const Table *t, const char *method, const char *body, double n)
+static Measure error_at(const Table *t, const char *method, const char *body, int n)
 {
-    Curve c;
-    shell_errors(&c, t, method, body);
-    return curve_at(&c, n);
+    return select_value(t, "error_linf", "%s cells=%d", shell(method, body), n);
 }
 
 static Measure order(const Table *t, const char *method, const char *body, double to, int meshes)
 {
-    Curve c;
-    shell_errors(&c, t, method, body);
-    return measure_times(curve_order(&c, 8, to, meshes), -1);
-}
-
-static Measure ring_order(const Table *t, const char *method)
-{
-    Curve c;
-    curve_pick(&c, t, "cells", "error_linf", "problem=ring method=%s", method);
-    return measure_times(curve_order(&c, 8, 32, MESHES), -1);
+    return curve_order_in_h(t, "error_linf", 8, to, meshes, "%s", shell(method, body));
 }
 
 /* Errors that an independent code measured: error at N = 8, 16, 32 (0: not run here), within 10 %,
@@ -89,14 +75,12 @@ static void check_known(Check *c, const Table *t)
         {"fem", "elements", "FEM, body force integrated", {0.00466, 0.00133, 0.00038}, 0.05}};
     for (size_t m = 0; m < sizeof known / sizeof *known; m++)
         for (int k = 0; k < 3 && known[m].error[k] > 0; k++) {
-            char id[64], statement[128];
             const double e = known[m].error[k], by = known[m].within;
-            snprintf(id, sizeof id, "T-7.%s%s%s-%d", known[m].method, *known[m].body ? "-" : "",
-                     known[m].body, 8 << k);
-            snprintf(statement, sizeof statement, "%s: largest error on the shell at N = %d",
-                     known[m].label, 8 << k);
-            claim(c, id, statement, error_at(t, known[m].method, known[m].body, 8 << k),
-                  (1 - by) * e, (1 + by) * e);
+            claim(c,
+                  phrase("T-7.%s%s%s-%d", known[m].method, *known[m].body ? "-" : "", known[m].body,
+                         8 << k),
+                  phrase("%s: largest error on the shell at N = %d", known[m].label, 8 << k),
+                  error_at(t, known[m].method, known[m].body, 8 << k), (1 - by) * e, (1 + by) * e);
         }
 }
 
@@ -134,14 +118,15 @@ static void check(Check *c, const Results *r)
     claim(c, "T-7.mpm-order", "MPM does not converge on the shell",
           order(t, "mpm", "", 24, MESHES - 1), -1, 0.5);
     for (const Info *const *m = engine_3d.methods; *m; m++) {
-        char name[64];
         const char *method = (*m)->name;
         const char *body = engine_has_grid(&engine_3d, method) ? "" : "nodes";
         const int meshes = meshes_of(method);
-        snprintf(name, sizeof name, "ring_%s", method);
-        claim_note(c, name, ring_order(t, method).value);
-        snprintf(name, sizeof name, "shell_%s", method);
-        claim_note(c, name, order(t, method, body, cells[meshes - 1], meshes).value);
+        claim_note(
+            c, phrase("ring_%s", method),
+            curve_order_in_h(t, "error_linf", 8, 32, MESHES, "problem=ring method=%s", method)
+                .value);
+        claim_note(c, phrase("shell_%s", method),
+                   order(t, method, body, cells[meshes - 1], meshes).value);
     }
 }
 

@@ -28,6 +28,14 @@ const Info *engine_method(const char *name)
     return found;
 }
 
+int engine_line(const Engine *engine, const char *method)
+{
+    int line = 0;
+    for (const Info *const *m = engine->methods; *m && strcmp((*m)->name, method) != 0; m++)
+        line += !(*m)->on_request;
+    return line;
+}
+
 bool engine_has_problem(const Engine *engine, const char *name)
 {
     return find(engine->problems, name) != NULL;
@@ -41,9 +49,7 @@ bool engine_has_grid(const Engine *engine, const char *method)
 
 bool engine_takes(const Info *info, const char *param)
 {
-    for (const Param *p = info->params; p && p->name; p++)
-        if (strcmp(p->name, param) == 0) return true;
-    return false;
+    return info_param_find(info->params, param) != NULL;
 }
 
 static int gather(const Info *const *list, const char *names[], int n, int max)

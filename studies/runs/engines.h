@@ -17,6 +17,10 @@ int engine_check_method(const char *option, const char *name, Fault *fault);
 const Info *engine_problem(const char *name);
 const Info *engine_method(const char *name);
 
+/* The line of a method in figures of all methods: how many stand before it in the registry, those
+ * on request not counted. */
+int engine_line(const Engine *engine, const char *method);
+
 /* Does the engine know this problem? */
 bool engine_has_problem(const Engine *engine, const char *name);
 

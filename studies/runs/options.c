@@ -77,6 +77,17 @@ int options_read(int argc, char **argv, const Option *options, TakeOption take, 
     return 0;
 }
 
+const Option options_none[] = {{NULL, NULL, NULL}};
+
+int option_take_word(void *into, const char *name, const char *value, Fault *fault)
+{
+    const char **word = into;
+    (void)name;
+    if (*word) return option_refuse(fault, "argument", value, "one name only", NULL, 0);
+    *word = value;
+    return 0;
+}
+
 void options_help(const Option *options, FILE *out)
 {
     for (; options->name; options++) {

@@ -21,6 +21,10 @@ typedef int (*TakeOption)(void *into, const char *name, const char *value, Fault
 int options_read(int argc, char **argv, const Option *options, TakeOption take, void *into,
                  Fault *fault);
 
+/* Of commands without options, which take one word: take for options_read, into a const char *. */
+extern const Option options_none[];
+int option_take_word(void *into, const char *name, const char *value, Fault *fault);
+
 void options_help(const Option *options, FILE *out);
 
 /* "what: got 'got', takes takes", and the nearest of the n names (NULL-safe, n may be 0). */

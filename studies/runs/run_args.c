@@ -1,7 +1,6 @@
 /* run_args.c: one table says which option fills which field of a RunSpec and what it takes. */
 #include "run_args.h"
 
-#include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,8 +18,12 @@ const Option run_args_options[] = {
     {"t-end", "T", "end of the run [s]"},
     {"threads", "N", "threads inside the run (default 1)"},
     {"set", "NAME=VALUE", "a parameter of problem, method or run; may be repeated"},
+    {"then", "M", "go on with another method on the same particles, from --at on"},
+    {"at", "WHEN", "a time [s], inverted (instead of that step) or J=x (least det F below x)"},
+    {"then-set", "NAME=VALUE", "a parameter of the second method; may be repeated"},
     {"csv", "FILE", "append the row to FILE, too"},
     {"history", "FILE", "write energies and errors of every step"},
+    {"probe", "X[,Y[,Z]]", "follow the nearest point in the history; may be repeated"},
     {"particles", "FILE", "write the particles at the end"},
     {"nodes", "FILE", "write the grid nodes at the end"},
     {"samples", "FILE", "write what carries strain at the end: elements of fem, else particles"},
@@ -28,6 +31,9 @@ const Option run_args_options[] = {
     {"patches", "FILE", "write the polygons of cells or elements at the end (2D, 3D)"},
     {"vtk", "DIR", "write snapshots into DIR"},
     {"every", "K", "steps between snapshots, or seconds: .001s (default: first and last only)"},
+    {"checkpoint", "FILE", "write the run's state into FILE as it goes; FILE.1 is the one before"},
+    {"every-s", "N", "seconds between two checkpoints (default 60)"},
+    {"resume", "FILE", "go on from a checkpoint of the same run; if it is torn, from FILE.1"},
     {"quiet", NULL, "no messages"},
     {NULL, NULL, NULL},
 };
@@ -45,16 +51,22 @@ static const struct Number {
     {"ppc", offsetof(RunSpec, ppc), 1e6, 0, "a number above 0, at most 1000000"},
     {"cfl", offsetof(RunSpec, cfl), 1e3, 0, "a number above 0, at most 1000"},
     {"t-end", offsetof(RunSpec, t_end), 1e12, 0, "a number above 0, at most 1e12"},
+    {"every-s", offsetof(RunSpec, save_s), 1e6, 0, "seconds above 0, at most 1000000"},
 };
 
 static const struct File {
     const char *option;
     size_t at;
 } files[] = {
-    {"history", offsetof(RunArgs, spec.history)}, {"particles", offsetof(RunArgs, spec.particles)},
-    {"nodes", offsetof(RunArgs, spec.nodes)},     {"samples", offsetof(RunArgs, spec.samples)},
-    {"errors", offsetof(RunArgs, spec.errors)},   {"patches", offsetof(RunArgs, spec.patches)},
-    {"vtk", offsetof(RunArgs, spec.vtk)},         {"csv", offsetof(RunArgs, csv)},
+    {"history", offsetof(RunArgs, spec.history)},
+    {"particles", offsetof(RunArgs, spec.particles)},
+    {"nodes", offsetof(RunArgs, spec.nodes)},
+    {"samples", offsetof(RunArgs, spec.samples)},
+    {"errors", offsetof(RunArgs, spec.errors)},
+    {"patches", offsetof(RunArgs, spec.patches)},
+    {"vtk", offsetof(RunArgs, spec.vtk)},
+    {"checkpoint", offsetof(RunArgs, spec.checkpoint)},
+    {"csv", offsetof(RunArgs, csv)},
 };
 
 static int take_problem(RunSpec *spec, const char *got, Fault *fault)
@@ -136,6 +148,33 @@ static int take_set(RunArgs *args, const char *got, Fault *fault)
     return spec_set(&args->spec, got, fault);
 }
 
+/* A hand-over is part of the settings, which make up a row's parameters. */
+static int set_text(RunArgs *args, const char *option, const char *before, const char *got,
+                    Fault *fault)
+{
+    char pair[128];
+    const int n = snprintf(pair, sizeof pair, "%s%s", before, got);
+    if (n < (int)sizeof pair && spec_set(&args->spec, pair, NULL) == 0) return 0;
+    return option_refuse(fault, option, got,
+                         strcmp(before, "then_") == 0 ? "NAME=VALUE" : "one word", NULL, 0);
+}
+
+static int take_then(RunArgs *args, const char *got, Fault *fault)
+{
+    if (engine_check_method("--then", got, fault)) return FAULT_USAGE;
+    return set_text(args, "--then", "then=", got, fault);
+}
+
+static int take_at(RunArgs *args, const char *got, Fault *fault)
+{
+    return set_text(args, "--at", "at=", got, fault);
+}
+
+static int take_then_set(RunArgs *args, const char *got, Fault *fault)
+{
+    return set_text(args, "--then-set", "then_", got, fault);
+}
+
 static int take_threads(RunArgs *args, const char *got, Fault *fault)
 {
     return option_whole("--threads", got, 1024, &args->spec.threads, fault);
@@ -159,6 +198,32 @@ static int take_every(RunArgs *args, const char *got, Fault *fault)
     return 0;
 }
 
+/* As many numbers as are typed; how many a run takes depends on its dimension. */
+static int take_probe(RunArgs *args, const char *got, Fault *fault)
+{
+    RunSpec *spec = &args->spec;
+    Probe p = {.text = got};
+    for (const char *at = got; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
+        char number[64];
+        snprintf(number, sizeof number, "%.*s", (int)strcspn(at, ","), at);
+        if (p.axes == 3 || strcspn(at, ",") >= sizeof number ||
+            info_number_parse(number, &p.X[p.axes++]))
+            return option_refuse(fault, "--probe", got, "X[,Y[,Z]] in metres", NULL, 0);
+    }
+    if (spec->nprobe == SPEC_PROBES)
+        return fault_set(fault, FAULT_USAGE, "--probe: got '%.80s', takes at most %d points", got,
+                         SPEC_PROBES);
+    spec->probe[spec->nprobe++] = p;
+    return 0;
+}
+
+static int take_resume(RunArgs *args, const char *got, Fault *fault)
+{
+    if (!*got) return fault_set(fault, FAULT_USAGE, "--resume: got '', takes a path");
+    args->spec.resume = got;
+    return 0;
+}
+
 static int take_quiet(RunArgs *args, const char *got, Fault *fault)
 {
     (void)got, (void)fault;
@@ -169,8 +234,12 @@ static int take_quiet(RunArgs *args, const char *got, Fault *fault)
 static const struct {
     const char *option;
     int (*take)(RunArgs *args, const char *got, Fault *fault);
-} others[] = {{"method", take_method},   {"integrator", take_integrator}, {"set", take_set},
-              {"threads", take_threads}, {"every", take_every},           {"quiet", take_quiet}};
+} others[] = {{"method", take_method},   {"integrator", take_integrator},
+              {"set", take_set},         {"then", take_then},
+              {"at", take_at},           {"then-set", take_then_set},
+              {"threads", take_threads}, {"every", take_every},
+              {"probe", take_probe},     {"resume", take_resume},
+              {"quiet", take_quiet}};
 
 static int take(void *into, const char *name, const char *got, Fault *fault)
 {
@@ -196,44 +265,10 @@ int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault)
                          "PROBLEM: got nothing, takes one of those that 'list problems' prints");
     if ((args->spec.every || args->spec.every_s > 0) && !args->spec.vtk)
         return fault_set(fault, FAULT_USAGE, "--every: needs --vtk DIR");
+    if (args->spec.nprobe && !args->spec.history)
+        return fault_set(fault, FAULT_USAGE, "--probe: got '%.80s', needs --history FILE",
+                         args->spec.probe[0].text);
+    if (args->spec.save_s > 0 && !args->spec.checkpoint)
+        return fault_set(fault, FAULT_USAGE, "--every-s: needs --checkpoint FILE");
     return 0;
-}
-
-static bool names_files(const RunSpec *s)
-{
-    return s->history || s->particles || s->nodes || s->samples || s->errors || s->patches ||
-           s->vtk;
-}
-
-int run_args_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault)
-{
-    enum { MOST_WORDS = 96 };
-    char words[SPEC_TEXT], *argv[MOST_WORDS + 1] = {0}, *rest = NULL;
-    int argc = 0;
-    RunArgs args;
-    if (strlen(text) >= sizeof words)
-        return fault_set(fault, FAULT_USAGE, "run text too long: %.60s...", text);
-    strcpy(words, text);
-    for (char *w = strtok_r(words, " ", &rest); w && argc < MOST_WORDS;
-         w = strtok_r(NULL, " ", &rest))
-        argv[argc++] = w;
-    int code = run_args_read(argc, argv, &args, fault);
-    if (code) return code;
-    if (args.csv || names_files(&args.spec))
-        return fault_set(fault, FAULT_USAGE, "a run of a study: got a file option, takes none");
-    *spec = args.spec;
-    *engine = engine_for(spec, fault);
-    return *engine ? (*engine)->resolve(spec, fault) : FAULT_USAGE;
-}
-
-bool run_args_is_run(const char *format, ...)
-{
-    char text[SPEC_TEXT];
-    const Engine *engine;
-    RunSpec spec;
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    return run_args_resolve(text, &spec, &engine, NULL) == 0;
 }

@@ -86,7 +86,7 @@ static void number(FILE *f, double x)
         fprintf(f, "%.4g", x);
 }
 
-void page_html_claim(FILE *f, const Claim *c)
+static void put_claim(FILE *f, const Claim *c)
 {
     const char *verdict = claim_verdict_name(c->verdict);
     const Statement *s = statement_of_claim(c->id);
@@ -111,5 +111,5 @@ void page_html_claim(FILE *f, const Claim *c)
 
 void page_claims(const Page *page)
 {
-    for (int k = 0; k < page->claims->n; k++) page_html_claim(page->f, &page->claims->list[k]);
+    for (int k = 0; k < page->claims->n; k++) put_claim(page->f, &page->claims->list[k]);
 }

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include "studies/runs/must.h"
+#include "studies/phrase.h"
 #include "parts.h"
 
 enum { MOVING = 600000 }; /* bytes of a moving picture that the page takes */
@@ -13,9 +13,8 @@ enum { MOVING = 600000 }; /* bytes of a moving picture that the page takes */
 static long size_of(const Page *page, const char *name, const char *ending)
 {
     struct stat s;
-    char *path = must_text("%s/%s.%s", page->dir, name, ending);
+    const char *path = phrase("%s/%s.%s", page->dir, name, ending);
     const long size = stat(path, &s) == 0 ? (long)s.st_size : 0;
-    free(path);
     return size;
 }
 
@@ -58,9 +57,8 @@ static void put_drawing(FILE *out, FILE *in)
 static void put_image(const Page *page, const char *name, const char *about, const char *ending)
 {
     const bool drawing = strcmp(ending, "svg") == 0;
-    char *path = must_text("%s/%s.%s", page->dir, name, ending);
+    const char *path = phrase("%s/%s.%s", page->dir, name, ending);
     FILE *in = fopen(path, "rb");
-    free(path);
     if (!in) return;
     page_element(page->f, "<img alt=\"", about, "\" src='data:image/");
     fputs(drawing                 ? "svg+xml;charset=utf-8,"
@@ -107,9 +105,8 @@ static void fact(FILE *f, const char *name, const char *value)
 static void sidecar(const Page *page, const char *name)
 {
     static const char *const facts[] = {"version", "compiler", "flags", "sources", "checksum"};
-    char *path = must_text("%s/%s.json", page->dir, name);
+    const char *path = phrase("%s/%s.json", page->dir, name);
     json_t *json = json_load_file(path, 0, NULL), *dt = json_object_get(json, "dt");
-    free(path);
     if (!json) return;
     fputs("<details><summary>Where the numbers come from</summary>\n<dl>\n", page->f);
     for (size_t k = 0; k < sizeof facts / sizeof *facts; k++)
@@ -161,9 +158,8 @@ void page_figures(const Page *page)
                                 .figure = "T-3",
                                 .about = "speed: CPU time and instructions of one particle-step"};
     for (const Study *const *s = studies; *s; s++) {
-        char *command = must_text("build/mpmlab study %s", (*s)->name);
-        if (size_of(page, (*s)->name, "csv")) card(page, *s, command);
-        free(command);
+        if (size_of(page, (*s)->name, "csv"))
+            card(page, *s, phrase("build/mpmlab study %s", (*s)->name));
     }
     if (size_of(page, bench.name, "csv")) card(page, &bench, "make bench");
 }

@@ -46,7 +46,7 @@ static void answer(FILE *f, const Table *t, const struct Need *n, int row)
         fputs("<td class=\"soft\">none</td>", f);
         return;
     }
-    page_element(f, "<td><b>", method_label(select_text(t, row, "method")), "</b><br>");
+    page_element(f, "<td><b>", page_method_label(select_text(t, row, "method")), "</b><br>");
     snprintf(text, sizeof text, n->shows, select_number(t, row, n->column));
     page_element(f, "<span class=\"soft\">", text, "</span></td>");
 }

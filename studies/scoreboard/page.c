@@ -2,11 +2,8 @@
  * replaced by what its part writes. The page stands by itself: nothing in it is loaded. */
 #include "page.h"
 
-#include <errno.h>
-#include <stdlib.h>
 #include <string.h>
 #include "facts.h"
-#include "studies/runs/must.h"
 #include "parts.h"
 #include "studies/engine/plot.h"
 
@@ -61,17 +58,16 @@ static void write_line(const Page *page, const char *line)
 
 static FILE *open_template(Fault *fault)
 {
-    char *plots = plot_folder(), *path = must_text("%s/page.html", plots ? plots : "plots");
+    const char *plots = plot_folder(), *path = phrase("%s/page.html", plots ? plots : "plots");
     FILE *f = fopen(path, "r");
-    if (!f) fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(errno));
-    free(path);
-    free(plots);
+    if (!f) fault_machine(fault, path);
     return f;
 }
 
 int page_write(const Check *claims, const char *dir, Fault *fault)
 {
-    char *path = must_text("%s/index.html", dir), line[1024];
+    const char *path = phrase("%s/index.html", dir);
+    char line[1024];
     FILE *template = open_template(fault);
     Page page = {template ? file_begin(path, fault) : NULL, claims, dir};
     int code = FAULT_MACHINE;
@@ -80,6 +76,5 @@ int page_write(const Check *claims, const char *dir, Fault *fault)
         code = file_commit(page.f, path, fault);
     }
     if (template) fclose(template);
-    free(path);
     return code;
 }

@@ -211,7 +211,7 @@ static bool is_graded(const Sheets *s, const char *method)
 
 static void method_row(FILE *f, const Sheets *s, const char *method)
 {
-    page_element(f, "<tr><th>", method_label(method),
+    page_element(f, "<tr><th>", page_method_label(method),
                  "</th><td data-label=\"stable on one wave, CFL:\">");
     safe_steps(f, s->safe, method);
     other_steps(f, s, method);

@@ -80,22 +80,13 @@ static const char *picture_of(const char *problem)
     return NULL;
 }
 
-static const Info *problem_info(const char *name)
-{
-    const Info *found = NULL;
-    for (const Engine *const *e = engines; *e; e++)
-        for (const Info *const *p = (*e)->problems; *p; p++)
-            if (strcmp((*p)->name, name) == 0) found = *p;
-    return found;
-}
-
 void page_problems(const Page *page)
 {
     const char *names[64];
     const int n = engine_problem_names(names, 64);
     fputs("<div class=\"grid\">\n", page->f);
     for (int k = 0; k < n; k++) {
-        const Info *p = problem_info(names[k]);
+        const Info *p = engine_problem(names[k]);
         const char *study = picture_of(names[k]);
         page_element(page->f, "<div class=\"card\"><h3>", p->name, "</h3>\n");
         page_element(page->f, "<p>", p->about, "</p>\n");

@@ -15,7 +15,7 @@ static Table *costs_read(const Page *page, const char *name)
     return table_read_part(page->dir, name, "reach", NULL);
 }
 
-const char *method_label(const char *method)
+const char *page_method_label(const char *method)
 {
     const Info *info = engine_method(method);
     return info ? info->label : method;
@@ -70,7 +70,7 @@ static void seconds(FILE *f, const Table *t, int row)
 /* "GIMP, fitted, 4 per cell, N = 20" */
 static void options(FILE *f, const Table *t, int row)
 {
-    page_text(f, method_label(select_text(t, row, "method")));
+    page_text(f, page_method_label(select_text(t, row, "method")));
     fputs("</b> <span class=\"soft\">", f);
     if (has_particles(t, row))
         fprintf(f, "%s, %.2g per cell, %s, ",
@@ -144,7 +144,7 @@ void page_prices(const Page *page, const char *name)
           page->f);
     for (int row = 0; row + TARGETS <= t->nrow; row += TARGETS) {
         page_element(page->f, "<tr><td>", select_text(t, row, "problem"), "</td><td>");
-        page_element(page->f, "", method_label(select_text(t, row, "method")), "</td>");
+        page_element(page->f, "", page_method_label(select_text(t, row, "method")), "</td>");
         for (int k = 0; k < TARGETS; k++) {
             fputs("<td class=\"n\">", page->f);
             seconds(page->f, t, row + k);

@@ -5,13 +5,19 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+/* The text that `where` and the arguments behind it make. */
+#define READ_WHERE(text, where)                                                                    \
+    do {                                                                                           \
+        va_list args;                                                                              \
+        va_start(args, where);                                                                     \
+        vsnprintf(text, sizeof text, where, args);                                                 \
+        va_end(args);                                                                              \
+    } while (0)
+
 void curve_pick(Curve *c, const Table *rows, const char *x, const char *y, const char *where, ...)
 {
     char text[512];
-    va_list args;
-    va_start(args, where);
-    vsnprintf(text, sizeof text, where, args);
-    va_end(args);
+    READ_WHERE(text, where);
     c->n = 0;
     for (int row = -1; c->n < CURVE_MAX && (row = select_next(rows, row, "%s", text)) >= 0;
          c->n++) {
@@ -68,6 +74,16 @@ Measure curve_order(const Curve *c, double from, double to, int needs)
         x[n] = c->x[k], y[n++] = c->y[k];
     }
     return measure(curve_slope(n, x, y), numbers, needs);
+}
+
+Measure curve_order_in_h(const Table *rows, const char *error, double from, double to, int needs,
+                         const char *where, ...)
+{
+    Curve c;
+    char text[512];
+    READ_WHERE(text, where);
+    curve_pick(&c, rows, "cells", error, "%s", text);
+    return measure_times(curve_order(&c, from, to, needs), -1);
 }
 
 Measure curve_worst(const Table *t, const char *methods, int each, const char *want,

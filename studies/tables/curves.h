@@ -34,6 +34,11 @@ Measure curve_mean_ratio(const Curve *a, const Curve *b, int needs);
 Measure curve_order(const Curve *c, double from, double to, int needs);
 double curve_slope(int n, const double x[], const double y[]);
 
+/* Order in h of a column of errors, fitted over the rows with N = from .. to cells per unit length.
+ */
+Measure curve_order_in_h(const Table *rows, const char *error, double from, double to, int needs,
+                         const char *where, ...) __attribute__((format(printf, 6, 7)));
+
 /* Largest of column `want` over the rows of these methods ("gimp wls") that also meet `where`,
  * `each` of them of every method; NAN if one of them has no such row, was lost, or is NAN. */
 Measure curve_worst(const Table *t, const char *methods, int each, const char *want,

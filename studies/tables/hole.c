@@ -15,7 +15,7 @@ int hole_reference_read(HoleReference *r, const Table *t, int cells)
     *r = (HoleReference){.ni = (int)ceil(0.6 * cells - 1e-9),
                          .nj = 2 * (int)ceil(M_PI / 4 * 0.7 * cells - 1e-9)};
     const int quads = r->ni * r->nj;
-    if (!t || t->nrow != 2 * quads || r->ni < 2) return -1;
+    if (t->nrow != 2 * quads || r->ni < 2) return -1;
     r->stress = must(malloc(sizeof(double) * (size_t)quads));
     for (int q = 0; q < quads; q++)
         r->stress[q] = 0.5e-9 * (select_number(t, 2 * q, "von_mises") +
@@ -137,7 +137,7 @@ void hole_measure(const Table *reference, int fine, const Table *run, int cells,
                   Measure *scatter)
 {
     HoleReference r;
-    if (!run || hole_reference_read(&r, reference, fine)) return;
+    if (!run->nrow || hole_reference_read(&r, reference, fine)) return;
     Rim rim = hole_read(run, cells, &r, false);
     *rms = measure(hole_rms(&rim), rim.n, rms->needs);
     *scatter = measure(hole_scatter(&rim), rim.n, scatter->needs);

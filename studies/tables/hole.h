@@ -38,7 +38,7 @@ double hole_rms(const Rim *rim);     /* of stress less reference */
 double hole_scatter(const Rim *rim); /* rms of that about its mean of seven neighbours in angle */
 
 /* Both of a run of `cells` against the reference of `fine`, into measures that know how many points
- * they need. Tables may be NULL. */
+ * they need. */
 void hole_measure(const Table *reference, int fine, const Table *run, int cells, Measure *rms,
                   Measure *scatter);
 

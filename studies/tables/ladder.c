@@ -7,10 +7,10 @@
 #include "studies/runs/must.h"
 #include "studies/select.h"
 
-Grade ladder_row_grade(const Table *rows, int row)
+static Mark grade_of(const Table *rows, int row)
 {
-    if (select_is_lost(rows, row)) return LOST;
-    return select_is(rows, row, "status", "ok") ? STABLE : GREW;
+    if (select_is_lost(rows, row)) return MARK_LOST;
+    return select_is(rows, row, "status", "ok") ? MARK_OK : MARK_WEAK;
 }
 
 /* What rows of one ladder have in common; those first that tell most of them apart. */
@@ -38,7 +38,7 @@ static int find(const Ladder *list, int n, int last, const Table *rows, const in
 }
 
 /* Inserts the rung in order of CFL; a CFL that is already present is ignored. */
-static void add_rung(Ladder *l, const Table *rows, int row, Grade grade)
+static void add_rung(Ladder *l, const Table *rows, int row, Mark grade)
 {
     const double cfl = select_number(rows, row, "cfl");
     int at = l->n;
@@ -66,12 +66,12 @@ int ladder_read_all(const Table *rows, Ladder **out)
             *out = must_grow(*out, n, sizeof **out);
             (*out)[n++] = (Ladder){0};
         }
-        add_rung(&(*out)[at], rows, row, ladder_row_grade(rows, row));
+        add_rung(&(*out)[at], rows, row, grade_of(rows, row));
     }
     return n;
 }
 
-double ladder_limit(const Ladder *l, Grade worst, int *first)
+double ladder_limit(const Ladder *l, Mark worst, int *first)
 {
     int k = 0;
     while (k < l->n && l->grade[k] <= worst) k++;

@@ -7,10 +7,7 @@
 #ifndef MPMLAB_LADDER_H
 #define MPMLAB_LADDER_H
 
-#include "studies/study.h"
-
-/* How a run went: energy never 5 % above its start; finished with more; ended before its time. */
-typedef enum { STABLE, GREW, LOST } Grade;
+#include "grades.h"
 
 enum { MOST_RUNGS = 48 };
 
@@ -18,18 +15,15 @@ typedef struct Ladder {
     int n;                  /* rungs, in ascending order of CFL */
     int row[MOST_RUNGS];    /* of the table */
     double cfl[MOST_RUNGS]; /* [-] as asked for */
-    Grade grade[MOST_RUNGS];
+    Mark grade[MOST_RUNGS]; /* weak: finished, but energy was 5 % and more above its start */
 } Ladder;
-
-/* By the status of the row. */
-Grade ladder_row_grade(const Table *rows, int row);
 
 /* All ladders of a table in order of their first rows; the caller frees *out. How many. */
 int ladder_read_all(const Table *rows, Ladder **out);
 
 /* The largest CFL number of a run that is at most `worst`, as all below it are; 0 if the lowest is
  * not. *first is the rung that is worse, or -1 if none is: then the limit is what was tried. */
-double ladder_limit(const Ladder *l, Grade worst, int *first);
+double ladder_limit(const Ladder *l, Mark worst, int *first);
 
 /* Adds the run in the middle between rungs k and k + 1, unless the gap is at most so much of its
  * upper end. k -1: half of the lowest rung, unless that is below `least`. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "ladder.h"
+#include "studies/runs/engines.h"
 #include "studies/select.h"
 
 /* Bits of pairs[]: of the plane cd and uvf, with and without a fresh gradient; T-5 has the others.
@@ -45,10 +46,9 @@ static void write_place(FILE *f, const Table *rows, int row)
     const Map *map = stability_of_row(rows, row);
     const char *method = select_text(rows, row, "method");
     const Pair pair = pairs[pair_of_row(rows, row)];
-    int line = 0;
-    while (strcmp(map->engine->methods[line]->name, method) != 0) line++;
     fprintf(f, "%d,%s,%s,%d,%d,%d,%d,", map->engine->dim, method, pair.integrator, pair.refresh,
-            stability_is_usual(map, method, pair), pair_of_row(rows, row), line);
+            stability_is_usual(map, method, pair), pair_of_row(rows, row),
+            engine_line(map->engine, method));
 }
 
 static int index_of(const double *list, double x)
@@ -91,7 +91,7 @@ static void write_limits(FILE *f, const Table *rows, const Ladder *l)
     write_place(f, rows, l->row[0]);
     fprintf(f, "%s,%g", select_text(rows, l->row[0], "ppc_asked"),
             select_number(rows, l->row[0], "A"));
-    for (Grade worst = STABLE; worst < LOST; worst++) {
+    for (Mark worst = MARK_OK; worst < MARK_LOST; worst++) {
         int first;
         fprintf(f, ",%.6g,", ladder_limit(l, worst, &first));
         if (first < 0)
@@ -157,9 +157,7 @@ static void write_safe(FILE *f, const Table *limits)
 
 static FILE *begin(const Results *r, const char *part, const char *columns)
 {
-    char header[256];
-    snprintf(header, sizeof header, "%s,%s", place_header, columns);
-    return results_write(r, part, header);
+    return results_write(r, part, phrase("%s,%s", place_header, columns));
 }
 
 void stability_tables(const Results *r)

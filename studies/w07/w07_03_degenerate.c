@@ -14,15 +14,12 @@ static const char *const arrangements[ARRANGEMENTS] = {"centred", "shifted", "un
 static void cases(Cases *list, bool quick)
 {
     static const char *const kinds[METHODS] = {"nodes", "particles", "nodes", "nodes"};
-    char part[64];
     (void)quick;
     for (int a = 0; a < ARRANGEMENTS; a++)
-        for (int m = 0; m < METHODS; m++) {
-            snprintf(part, sizeof part, "%s.%s", arrangements[a], methods[m]);
-            case_add_with(list, kinds[m], part,
+        for (int m = 0; m < METHODS; m++)
+            case_add_with(list, kinds[m], phrase("%s.%s", arrangements[a], methods[m]),
                           "run squeeze --method %s --cells %d --set arrangement=%s", methods[m],
                           CELLS, arrangements[a]);
-        }
 }
 
 static Measure error(const Table *rows, int method, int arrangement)

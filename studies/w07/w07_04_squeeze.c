@@ -8,13 +8,10 @@ enum { CELLS = 10 };
 static void cases(Cases *list, bool quick)
 {
     static const int counts[] = {5, 10, 13, 20, 27, 36}; /* 0.5 to 3.6 a cell */
-    char part[16];
     (void)quick;
-    for (int k = 0; k < 6; k++) {
-        snprintf(part, sizeof part, "%d", counts[k]);
-        case_add_with(list, "particles", part,
+    for (int k = 0; k < 6; k++)
+        case_add_with(list, "particles", phrase("%d", counts[k]),
                       "run squeeze --method gimp --cells %d --set particles=%d", CELLS, counts[k]);
-    }
 }
 
 const Study study_w07_04_squeeze = {

@@ -39,10 +39,9 @@ static void write_lines(FILE *f, const Table *particles, int p)
 
 static void tables(const Results *r)
 {
-    Table *particles = results_left(r, "particles"); /* not there if not asked for */
+    const Table *particles = results_ended(r, "particles");
     FILE *f = results_write(r, "lines", "id,x,v,node_x,extrapolated,weight");
-    for (int p = 0; particles && p < particles->nrow; p++) write_lines(f, particles, p);
-    table_free(particles);
+    for (int p = 0; p < particles->nrow; p++) write_lines(f, particles, p);
 }
 
 /* Momentum of the nodes over that of the particles, less 1. */
@@ -52,11 +51,10 @@ static Measure momentum_error(const Results *r)
     double sum[2] = {0, 0};
     int rows = 0;
     for (int k = 0; k < 2; k++) {
-        Table *t = results_file(r, parts[k]);
-        if (!t) return measure(NAN, 0, 1);
+        const Table *t = results_run(r, "%s", parts[k]);
+        if (!t->nrow) return measure(NAN, 0, 1);
         for (int row = 0; row < t->nrow; row++, rows++)
             sum[k] += select_number(t, row, "mass") * select_number(t, row, "vx");
-        table_free(t);
     }
     return measure(fabs(sum[0] / sum[1] - 1), rows, CELLS + 1 + PARTICLES);
 }

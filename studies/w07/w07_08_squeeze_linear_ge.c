@@ -14,28 +14,22 @@ static const int samples[SAMPLES] = {137, 250, 333, 777};
 
 static void cases(Cases *list, bool quick)
 {
-    char part[64];
     for (int m = 0; m < METHODS; m++) {
         squeeze_add(list, methods[m], "linear", CELLS, 1, quick);
-        for (int k = 0; k < SAMPLES; k++) {
-            snprintf(part, sizeof part, "%s.%d", methods[m], samples[k]);
-            case_add_with(list, "nodes", part,
+        for (int k = 0; k < SAMPLES; k++)
+            case_add_with(list, "nodes", phrase("%s.%d", methods[m], samples[k]),
                           "run squeeze --method %s --cells %d --set particles=%d", methods[m],
                           CELLS, samples[k]);
-        }
     }
 }
 
 /* Largest |v_i/(1 + x_i) - 1| over all nodes of a run, those on the boundary included. */
 static void add_nodes(Measure *worst, const Results *r, const char *method, int particles)
 {
-    char part[64];
-    snprintf(part, sizeof part, "%s.%d", method, particles);
-    Table *nodes = results_file(r, part);
-    for (int i = 0; nodes && i < nodes->nrow; i++)
+    const Table *nodes = results_run(r, "%s.%d", method, particles);
+    for (int i = 0; i < nodes->nrow; i++)
         measure_add_max(
             worst, fabs(select_number(nodes, i, "vx") / (1 + select_number(nodes, i, "x")) - 1));
-    table_free(nodes);
 }
 
 static void check(Check *c, const Results *r)

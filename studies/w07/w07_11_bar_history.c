@@ -12,14 +12,10 @@ static const double period = 0.04, c = 100; /* [s], [m/s]: L = v0 = 1 */
 
 static void cases(Cases *list, bool quick)
 {
-    char part[16];
-    for (int k = 1; k <= INSTANTS; k++) {
-        if (quick && k % 8) continue;
-        snprintf(part, sizeof part, "%d", k);
-        case_add_with(list, "particles", part,
+    for (int k = quick ? 8 : 1; k <= INSTANTS; k += quick ? 8 : 1)
+        case_add_with(list, "particles", phrase("%d", k),
                       "run bar --method gimp --t-end %.17g --set particles=%d",
                       period * k / (double)A_PERIOD, PARTICLES);
-    }
     case_add_with(list, "particles", "fine",
                   "run bar --method gimp --cells 160 --t-end %.17g --set particles=%d", period / 4,
                   4 * PARTICLES);
@@ -44,24 +40,19 @@ static void write_instant(FILE *f, const Table *particles, double t, const char 
 
 static void tables(const Results *r)
 {
-    char part[16];
     FILE *f = results_write(r, "stations", "station,X,t,u,u_exact,status");
-    for (int k = 1; k <= INSTANTS; k++) {
-        snprintf(part, sizeof part, "%d", k);
-        Table *t = r->quick && k % 8 ? NULL : results_left(r, part);
-        if (t) write_instant(f, t, period * k / (double)A_PERIOD, results_status(r, part));
-        table_free(t);
-    }
+    for (int k = r->quick ? 8 : 1; k <= INSTANTS; k += r->quick ? 8 : 1)
+        write_instant(f, results_ended(r, "%d", k), period * k / (double)A_PERIOD,
+                      results_status(r, phrase("%d", k)));
 }
 
 /* Displacement of the tip at the end of the run on the fine mesh: its largest. */
 static Measure fine_tip(const Results *r)
 {
-    Table *t = results_file(r, "fine");
+    const Table *t = results_run(r, "fine");
     Measure u = measure_sum_of(1);
-    if (t && t->nrow > 0)
+    if (t->nrow > 0)
         measure_add(&u, select_number(t, t->nrow - 1, "x") - select_number(t, t->nrow - 1, "X"));
-    table_free(t);
     return u;
 }
 

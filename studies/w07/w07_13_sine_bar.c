@@ -63,15 +63,14 @@ static void check_values(Check *c, const Table *rows)
         {"W07-13.gimp-linear-values", "W07-13.ge-gimp-linear-values"},
         {"W07-13.gimp-neo-values", "W07-13.ge-gimp-neo-values"}};
     Curve curve;
-    char text[160];
     for (int l = 0; l < LAWS; l++)
         for (int m = 0; m < 2; m++) {
-            snprintf(text, sizeof text,
-                     "%s, %s law: largest departure from the recorded errors at 1/10 ... 1/160 "
-                     "(the last counts half)",
-                     m ? "GE-GIMP" : "GIMP", l ? "neo-Hookean" : "exact");
             pick(&curve, rows, "cells", l, 1 + m);
-            claim(c, ids[l][m], text, curve_deviation(&curve, PRINTED, printed[l][m]), 0, 0.01);
+            claim(c, ids[l][m],
+                  phrase("%s, %s law: largest departure from the recorded errors at 1/10 ... 1/160 "
+                         "(the last counts half)",
+                         m ? "GE-GIMP" : "GIMP", l ? "neo-Hookean" : "exact"),
+                  curve_deviation(&curve, PRINTED, printed[l][m]), 0, 0.01);
         }
 }
 

@@ -42,16 +42,14 @@ static const double printed[METHODS][PRINTED][3] = {
 
 static void check_values(Check *c, const Table *rows)
 {
-    static const char *const ids[METHODS] = {"W07-15.mpm-values", "W07-15.gimp-values",
-                                             "W07-15.ge-gimp-values"};
+    static const char *const ids[METHODS] = {"mpm", "gimp", "ge-gimp"};
     Curve curve, mpm;
-    char text[128];
     pick(&mpm, rows, "cells", 0, "0.004", "neo_hookean");
     for (int m = 0; m < METHODS; m++) {
-        snprintf(text, sizeof text,
-                 "%s: largest departure from the recorded errors at 1/8 ... 1/128", methods[m]);
         pick(&curve, rows, "cells", m, "0.004", "neo_hookean");
-        claim(c, ids[m], text, curve_deviation(&curve, PRINTED, printed[m]), 0, m ? 0.01 : 0.05);
+        claim(c, phrase("W07-15.%s-values", ids[m]),
+              phrase("%s: largest departure from the recorded errors at 1/8 ... 1/128", methods[m]),
+              curve_deviation(&curve, PRINTED, printed[m]), 0, m ? 0.01 : 0.05);
     }
     claim(c, "W07-15.mpm-unreliable",
           "MPM is unreliable once particles cross cells: its error at 1/128 over that at 1/32",
@@ -61,18 +59,15 @@ static void check_values(Check *c, const Table *rows)
 static void check_ratios(Check *c, const Table *rows)
 {
     enum { RATIOS = 5 };
-    static const char *const ids[RATIOS] = {"W07-15.ratio-8", "W07-15.ratio-16", "W07-15.ratio-32",
-                                            "W07-15.ratio-64", "W07-15.ratio-128"};
     static const double expected[RATIOS] = {0.57, 0.59, 0.72, 0.86, 0.96};
     Curve gimp, ge;
     pick(&gimp, rows, "cells", 1, "0.004", "neo_hookean");
     pick(&ge, rows, "cells", 2, "0.004", "neo_hookean");
-    for (int k = 0; k < RATIOS; k++) {
-        char text[64];
-        snprintf(text, sizeof text, "GE-GIMP's error over GIMP's at h = 1/%d", 8 << k);
-        claim(c, ids[k], text, measure_ratio(curve_at(&ge, 8 << k), curve_at(&gimp, 8 << k)),
-              expected[k] - 0.02, expected[k] + 0.02);
-    }
+    for (int k = 0; k < RATIOS; k++)
+        claim(c, phrase("W07-15.ratio-%d", 8 << k),
+              phrase("GE-GIMP's error over GIMP's at h = 1/%d", 8 << k),
+              measure_ratio(curve_at(&ge, 8 << k), curve_at(&gimp, 8 << k)), expected[k] - 0.02,
+              expected[k] + 0.02);
     claim_differs(c, "W07-15.forty-percent",
                   "gradient enhancement lowers GIMP's error by about forty percent, plate: mean of "
                   "ratios, nine meshes",

@@ -7,6 +7,8 @@
 enum { CELLS = 8, FINE = 2000 /* samples a metre */, CORNERS = 200, BOXES = 100 };
 static const double late_inner = 0.375, late_outer = 0.9; /* of the exact solution at 10 ms */
 
+static const char *const methods[] = {"wls", "wls2"};
+
 static void cases(Cases *list, bool quick)
 {
     (void)quick;
@@ -15,12 +17,9 @@ static void cases(Cases *list, bool quick)
                   CELLS);
     case_add_with(list, "patches", "wls", "run ring --method wls --cells %d --t-end .01", CELLS);
     for (int n = 16; n <= 32; n *= 2)
-        for (int second = 0; second < 2; second++) {
-            char part[32];
-            snprintf(part, sizeof part, "%s.%d", second ? "wls2" : "wls", n);
-            case_add_with(list, "patches", part, "run ring --method %s --cells %d --set steps=1",
-                          second ? "wls2" : "wls", n);
-        }
+        for (int m = 0; m < 2; m++)
+            case_add_with(list, "patches", phrase("%s.%d", methods[m], n),
+                          "run ring --method %s --cells %d --set steps=1", methods[m], n);
     case_add_with(list, "patches", "corners",
                   "run block --method wls --cells %d --set dim=2 --set steps=1 --set offset_x=.3 "
                   "--set offset_y=.3",
@@ -84,33 +83,29 @@ static void count_boxes(const unsigned char *times, double *gaps, double *overla
 
 static int measure_boxes(const Results *r, double *gaps, double *overlaps)
 {
-    Table *t = results_file(r, "gimp");
+    const Table *t = results_run(r, "gimp");
     unsigned char *times = calloc((size_t)FINE * FINE, 1);
     *gaps = *overlaps = NAN;
-    if (t && times) {
+    if (t->nrow && times) {
         lay_boxes(t, times);
         count_boxes(times, gaps, overlaps);
     }
-    const int boxes = t ? t->nrow : 0;
     free(times);
-    table_free(t);
-    return boxes;
+    return t->nrow;
 }
 
 /* At the start, where the radii are known. */
 static void check_areas(Check *c, const Results *r, double ring)
 {
     static const double most[2][2] = {{4e-4, 1.2e-4}, {3e-5, 1e-5}};
-    for (int second = 0; second < 2; second++)
+    for (int m = 0; m < 2; m++)
         for (int k = 0; k < 2; k++) {
-            char part[32], id[32], text[96];
-            const char *label = second ? "WLS2" : "WLS";
-            snprintf(part, sizeof part, "%s.%d", second ? "wls2" : "wls", 16 << k);
-            snprintf(id, sizeof id, "W11-1.%s-%d", second ? "wls2" : "wls", 16 << k);
-            snprintf(text, sizeof text, "%s's cells cover the ring: error of their area, N = %d",
-                     label, 16 << k);
-            const Measure area = area_of(r, part, ring);
-            claim(c, id, text, measure_with(area, fabs(area.value - 1)), 0, most[second][k]);
+            const int n = 16 << k;
+            const Measure area = area_of(r, phrase("%s.%d", methods[m], n), ring);
+            claim(c, phrase("W11-1.%s-%d", methods[m], n),
+                  phrase("%s's cells cover the ring: error of their area, N = %d",
+                         m ? "WLS2" : "WLS", n),
+                  measure_with(area, fabs(area.value - 1)), 0, most[m][k]);
         }
     const Measure block = area_of(r, "corners", 1);
     claim(c, "W11-1.corners",

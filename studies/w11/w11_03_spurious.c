@@ -58,9 +58,7 @@ static void output_nodes(FILE *f, double most[SIDE][SIDE], const char *status)
 static void tables(const Results *r)
 {
     double most[SIDE][SIDE] = {{0}};
-    Table *t = results_left(r, "particles");
-    if (t) weigh(t, most);
-    table_free(t);
+    weigh(results_ended(r, "particles"), most);
     output_nodes(results_write(r, "nodes", "x,y,most,spurious,status"), most,
                  results_status(r, "particles"));
 }

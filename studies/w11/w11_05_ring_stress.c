@@ -13,22 +13,20 @@ static const char *const time_ms[] = {"0ms", "5ms", "10ms"}, *const t_end[] = {"
 
 static void cases(Cases *list, bool quick)
 {
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         case_add_with(list, "particles", time_ms[k],
                       "run ring --cells %d --set layout=radial --t-end %s", quick ? 8 : 32,
                       t_end[k]);
-    }
 }
 
 /* The largest stress of one file, over all components, in its absolute value. */
 static Measure largest_stress(const Results *r, const char *ms)
 {
-    Table *t = results_file(r, ms);
+    const Table *t = results_run(r, "%s", ms);
     Measure most = measure_max_of(PARTICLES);
-    for (int k = 0; t && k < t->nrow; k++)
+    for (int k = 0; k < t->nrow; k++)
         measure_add_max(&most, measure_worse(fabs(select_number(t, k, "sxx")),
                                              fabs(select_number(t, k, "syy"))));
-    table_free(t);
     return most;
 }
 

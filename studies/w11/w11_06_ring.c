@@ -31,20 +31,17 @@ static void errors(Curve *c, const Table *t, const char *method, const char *lay
     curve_pick(c, t, "cells", "error_linf", "method=%s layout=%s cfl=0.3", method, layout);
 }
 
-static Measure error_at(const Table *t, const char *method, const char *layout, double n)
+static Measure error_at(const Table *t, const char *method, const char *layout, int n)
 {
-    Curve c;
-    errors(&c, t, method, layout);
-    return curve_at(&c, n);
+    return select_value(t, "error_linf", "method=%s layout=%s cfl=0.3 cells=%d", method, layout, n);
 }
 
 /* Order over N = from .. to, `meshes` of them. */
 static Measure order(const Table *t, const char *method, const char *layout, double from, double to,
                      int meshes)
 {
-    Curve c;
-    errors(&c, t, method, layout);
-    return measure_times(curve_order(&c, from, to, meshes), -1);
+    return curve_order_in_h(t, "error_linf", from, to, meshes, "method=%s layout=%s cfl=0.3",
+                            method, layout);
 }
 
 /* Largest and smallest error of the runs with CFL .05 .. most at N = 32. */
@@ -199,11 +196,9 @@ static void check(Check *c, const Results *r)
           order(r->rows, "mpm", "cartesian", 8, 128, MESHES), -1, 0);
     claim_note(c, "order_gimp_radial", order(r->rows, "gimp", "radial", 8, 128, MESHES).value);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
-        char name[64];
         const double lattice = order(r->rows, (*m)->name, "cartesian", 8, 128, MESHES).value;
         const double fitted = order(r->rows, (*m)->name, "radial", 8, 128, MESHES).value;
-        snprintf(name, sizeof name, "order_%s", (*m)->name);
-        claim_note(c, name, isnan(lattice) ? fitted : lattice);
+        claim_note(c, phrase("order_%s", (*m)->name), isnan(lattice) ? fitted : lattice);
     }
 }
 

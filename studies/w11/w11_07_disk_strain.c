@@ -4,7 +4,6 @@
  * t = 0: free flight. t = 2: after the first impact, on the floor at t ~ .5, the disk vibrates. t =
  * 3: in its second impact, on the right wall, which it meets at t ~ 2.5. */
 #include <math.h>
-#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
 
 static const char name[] = "w11_07_disk_strain";
@@ -17,13 +16,10 @@ enum { METHODS = 2, TIMES = 3, PARTICLES = 1000 };
 static void cases(Cases *list, bool quick)
 {
     for (int m = 0; m < METHODS; m++)
-        for (int k = 0; k < TIMES && engine_method(methods[m]); k++) {
-            char part[64];
-            snprintf(part, sizeof part, "%s.%s", methods[m], shown[k].time);
-            case_add_with(list, "particles", part,
+        for (int k = 0; k < TIMES; k++)
+            case_add_with(list, "particles", phrase("%s.%s", methods[m], shown[k].time),
                           "run disk_impact --method %s --cells %d --t-end %s", methods[m],
                           quick ? 12 : 48, shown[k].t_end);
-        }
 }
 
 /* Of one state: largest x, stored energy [J], mean velocity along x. */
@@ -33,12 +29,10 @@ typedef struct Look {
 
 static Look look(const Results *r, const char *method, const char *time)
 {
-    char part[64];
-    snprintf(part, sizeof part, "%s.%s", method, time);
-    Table *t = results_file(r, part);
+    const Table *t = results_run(r, "%s.%s", method, time);
     Look out = {measure_max_of(PARTICLES), measure_sum_of(PARTICLES), measure_sum_of(PARTICLES)};
     double mass = 0;
-    for (int k = 0; t && k < t->nrow; k++) {
+    for (int k = 0; k < t->nrow; k++) {
         const double m = select_number(t, k, "mass");
         measure_add_max(&out.right, select_number(t, k, "x"));
         measure_add(&out.energy, m / 1000 * select_number(t, k, "energy")); /* V0 = m/rho */
@@ -46,7 +40,6 @@ static Look look(const Results *r, const char *method, const char *time)
         mass += m;
     }
     out.vx.value /= mass;
-    table_free(t);
     return out;
 }
 

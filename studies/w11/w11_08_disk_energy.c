@@ -4,7 +4,6 @@
  * The disk flies at 45 degrees: kinetic energy is halved when it stands still against the floor at
  * t ~ .93, and what comes back of it is judged at t = 2.3, before it meets the right wall. */
 #include <math.h>
-#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
 
 enum { INSTANTS = 200 }; /* of a history, at least */
@@ -14,23 +13,17 @@ static const char *const unilateral[] = {"wls", "wls2", "gimp"};
 static void cases(Cases *list, bool quick)
 {
     const int cells = quick ? 12 : 48;
-    char part[64];
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
+    for (const Info *const *m = engine_2d.methods; *m; m++)
         case_add_with(list, "history", (*m)->name, "run disk_impact --method %s --cells %d",
                       (*m)->name, cells);
-    }
-    for (int k = 0; k < 3 && engine_method(unilateral[k]); k++) {
-        snprintf(part, sizeof part, "%s_unilateral", unilateral[k]);
-        case_add_with(list, "history", part,
+    for (int k = 0; k < 3; k++)
+        case_add_with(list, "history", phrase("%s_unilateral", unilateral[k]),
                       "run disk_impact --method %s --cells %d --set wall=unilateral", unilateral[k],
                       cells);
-    }
-    for (int k = 0; k < FRAMES && engine_method("wls2"); k++) {
-        snprintf(part, sizeof part, "frame.%d", k);
-        case_add_with(list, "particles", part,
+    for (int k = 0; k < FRAMES; k++)
+        case_add_with(list, "particles", phrase("frame.%d", k),
                       "run disk_impact --method wls2 --cells %d --set steps=%d", cells,
                       1 + k * (STEPS - 1) / (FRAMES - 1) / (quick ? 4 : 1));
-    }
 }
 
 /* Which instant each frame shows: the runs that were to stop early, in their order. */
@@ -56,11 +49,11 @@ typedef struct Bounce {
 
 static Bounce bounce(const Results *r, const char *part)
 {
-    Table *t = results_file(r, part);
-    const double E0 = t && t->nrow ? select_number(t, 0, "total") : NAN;
+    const Table *t = results_run(r, "%s", part);
+    const double E0 = t->nrow ? select_number(t, 0, "total") : NAN;
     Bounce b = {E0, measure_min_of(INSTANTS), NAN, measure_max_of(INSTANTS), NAN};
     double before = NAN, when = NAN;
-    for (int k = 0; t && k < t->nrow; k++) {
+    for (int k = 0; k < t->nrow; k++) {
         const double now = select_number(t, k, "t"), kinetic = select_number(t, k, "kinetic") / E0;
         const double total = select_number(t, k, "total") / E0;
         if (now < 1.6 && kinetic < b.least.value) b.at = now;
@@ -71,53 +64,49 @@ static Bounce bounce(const Results *r, const char *part)
         before = total;
         when = now;
     }
-    table_free(t);
     return b;
 }
 
 static void check_one(Check *c, const Results *r, const char *method, const char *label, double low,
                       double high)
 {
-    char id[64], text[128];
     const Bounce b = bounce(r, method);
-    snprintf(id, sizeof id, "W11-8.half-%s", method);
-    snprintf(text, sizeof text, "%s: kinetic energy falls by half: least of it over E0", label);
-    claim(c, id, text, b.least, 0.52, 0.54);
-    snprintf(id, sizeof id, "W11-8.when-%s", method);
-    snprintf(text, sizeof text, "%s: time of the least kinetic energy [s]", label);
-    claim(c, id, text, measure_with(b.least, b.at), 0.90, 0.96);
-    snprintf(id, sizeof id, "W11-8.back-%s", method);
-    snprintf(text, sizeof text, "%s: total energy over E0 at t = 2.3, after the rebound", label);
-    claim(c, id, text, measure_with(b.over, b.back), low, high);
+    claim(c, phrase("W11-8.half-%s", method),
+          phrase("%s: kinetic energy falls by half: least of it over E0", label), b.least, 0.52,
+          0.54);
+    claim(c, phrase("W11-8.when-%s", method),
+          phrase("%s: time of the least kinetic energy [s]", label), measure_with(b.least, b.at),
+          0.90, 0.96);
+    claim(c, phrase("W11-8.back-%s", method),
+          phrase("%s: total energy over E0 at t = 2.3, after the rebound", label),
+          measure_with(b.over, b.back), low, high);
 }
 
 /* Momentum over its start where the kinetic energy is least, before t = 1.6. */
 static Measure momentum_left(const Results *r, const char *part, const char *component)
 {
-    Table *t = results_file(r, part);
+    const Table *t = results_run(r, "%s", part);
     double least = INFINITY, left = NAN;
     Measure rows = measure_sum_of(INSTANTS);
-    for (int k = 0; t && k < t->nrow; k++) {
+    for (int k = 0; k < t->nrow; k++) {
         const double kinetic = select_number(t, k, "kinetic");
         measure_add(&rows, kinetic);
         if (select_number(t, k, "t") >= 1.6 || !(kinetic < least)) continue;
         least = kinetic;
         left = select_number(t, k, component) / select_number(t, 0, component);
     }
-    table_free(t);
     return measure_with(rows, left);
 }
 
 /* Largest change of the total energy in one step of the whole run, over E0. */
 static Measure largest_jump(const Results *r, const char *part)
 {
-    Table *t = results_file(r, part);
+    const Table *t = results_run(r, "%s", part);
     Measure most = measure_max_of(INSTANTS);
-    for (int k = 1; t && k < t->nrow; k++)
+    for (int k = 1; k < t->nrow; k++)
         measure_add_max(&most,
                         fabs(select_number(t, k, "total") - select_number(t, k - 1, "total")) /
                             select_number(t, 0, "total"));
-    table_free(t);
     return most;
 }
 
@@ -143,12 +132,9 @@ static void check(Check *c, const Results *r)
           "a wall that lets go halves WLS's overshoot of energy: ratio of largest total less E0",
           measure_ratio(bounce(r, "wls_unilateral").over, bounce(r, "wls").over), 0, 0.65);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
-        char note[64];
         const Bounce b = bounce(r, (*m)->name);
-        snprintf(note, sizeof note, "back_%s", (*m)->name);
-        claim_note(c, note, b.back);
-        snprintf(note, sizeof note, "start_%s", (*m)->name);
-        claim_note(c, note, b.start);
+        claim_note(c, phrase("back_%s", (*m)->name), b.back);
+        claim_note(c, phrase("start_%s", (*m)->name), b.start);
     }
 }
 

@@ -1,7 +1,6 @@
 /* w11_09_plate_stress.c: von Mises stress of the plate with a hole at 0, 464 and 696 us, by WLS2
  * and by GIMP. Wallstedt and Guilkey (2011), fig. 9. */
 #include <math.h>
-#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
 
 static const char *const methods[] = {"wls2", "gimp"};
@@ -13,25 +12,19 @@ enum { METHODS = 2, TIMES = 3, PARTICLES = 3000 };
 static void cases(Cases *list, bool quick)
 {
     for (int m = 0; m < METHODS; m++)
-        for (int k = 0; k < TIMES && engine_method(methods[m]); k++) {
-            char part[64];
-            snprintf(part, sizeof part, "%s.%s", methods[m], shown[k].time);
-            case_add_with(list, "particles", part,
+        for (int k = 0; k < TIMES; k++)
+            case_add_with(list, "particles", phrase("%s.%s", methods[m], shown[k].time),
                           "run hole_plate --method %s --cells %d --t-end %s", methods[m],
                           quick ? 8 : 32, shown[k].t_end);
-        }
 }
 
 /* Largest von Mises stress of one state [GPa]. */
 static Measure largest_mises(const Results *r, const char *method, const char *time)
 {
-    char part[64];
     Measure most = measure_max_of(PARTICLES);
-    snprintf(part, sizeof part, "%s.%s", method, time);
-    Table *t = results_file(r, part);
-    for (int k = 0; t && k < t->nrow; k++)
+    const Table *t = results_run(r, "%s.%s", method, time);
+    for (int k = 0; k < t->nrow; k++)
         measure_add_max(&most, select_number(t, k, "von_mises") / 1e9);
-    table_free(t);
     return most;
 }
 

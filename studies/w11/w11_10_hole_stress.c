@@ -17,18 +17,14 @@ enum { MESHES = sizeof meshes / sizeof *meshes, FINE = 256, FINE_QUICK = 32 };
 
 static void cases(Cases *list, bool quick)
 {
-    char part[64];
     case_add_with(list, "samples", "reference", "run hole_plate --method fem --cells %d",
                   quick ? FINE_QUICK : FINE);
-    snprintf(part, sizeof part, "%s.%d", fem_nodes, quick ? 16 : 32);
-    case_add_with(list, "particles", part, "run hole_plate --method fem --cells %d",
-                  quick ? 16 : 32);
+    case_add_with(list, "particles", phrase("%s.%d", fem_nodes, quick ? 16 : 32),
+                  "run hole_plate --method fem --cells %d", quick ? 16 : 32);
     for (const Info *const *m = engine_2d.methods; *m; m++)
-        for (int k = 0; k < (quick ? 1 : MESHES); k++) {
-            snprintf(part, sizeof part, "%s.%d", (*m)->name, meshes[k]);
-            case_add_with(list, "samples", part, "run hole_plate --method %s --cells %d",
-                          (*m)->name, meshes[k]);
-        }
+        for (int k = 0; k < (quick ? 1 : MESHES); k++)
+            case_add_with(list, "samples", phrase("%s.%d", (*m)->name, meshes[k]),
+                          "run hole_plate --method %s --cells %d", (*m)->name, meshes[k]);
 }
 
 /* The reference every degree along the hole. */
@@ -45,10 +41,8 @@ static void write_truth(FILE *f, const HoleReference *truth, const char *status)
 static void write_run(FILE *points, FILE *sums, const Results *r, const char *method, int cells,
                       const HoleReference *truth)
 {
-    char part[64];
-    snprintf(part, sizeof part, "%s.%d", method, cells);
-    Table *t = results_file(r, part);
-    if (!t) return;
+    const Table *t = results_run(r, "%s.%d", method, cells);
+    if (!t->nrow) return;
     Rim rim = hole_read(t, cells, truth, !engine_has_grid(&engine_2d, method));
     for (int k = 0; k < rim.n; k++)
         fprintf(points, "%s,%d,%.17g,%.17g,%.17g\n", method, cells, rim.angle[k], rim.stress[k],
@@ -56,7 +50,6 @@ static void write_run(FILE *points, FILE *sums, const Results *r, const char *me
     fprintf(sums, "%s,%d,%d,%.17g,%.17g,%.17g\n", method, cells, rim.n, hole_rms(&rim),
             hole_scatter(&rim), rim.moved);
     hole_free(&rim);
-    table_free(t);
 }
 
 static void tables(const Results *r)
@@ -64,9 +57,9 @@ static void tables(const Results *r)
     FILE *points = results_write(r, "rim", "method,cells,angle,von_mises,reference");
     FILE *sums = results_write(r, "sums", "method,cells,points,rms,scatter,displacement");
     FILE *f = results_write(r, "truth", "angle,von_mises,status");
-    Table *t = results_file(r, "reference");
     HoleReference truth;
-    if (hole_reference_read(&truth, t, r->quick ? FINE_QUICK : FINE) == 0) {
+    if (hole_reference_read(&truth, results_run(r, "reference"), r->quick ? FINE_QUICK : FINE) ==
+        0) {
         write_truth(f, &truth, results_status(r, "reference"));
         for (const Info *const *m = engine_2d.methods; *m; m++)
             for (int k = 0; k < MESHES; k++)
@@ -74,7 +67,6 @@ static void tables(const Results *r)
         for (int k = 0; k < MESHES; k++) write_run(points, sums, r, fem_nodes, meshes[k], &truth);
         hole_reference_free(&truth);
     }
-    table_free(t);
 }
 
 /* The reference against the ten values known from an independent program. */
@@ -151,11 +143,9 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-10.whole", "WLS2 completes on every mesh, h = 1/16 to 1/64: of five",
           measure_with(lost, (double)MESHES - lost.value), 5, 5);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
-        char note[64];
-        snprintf(note, sizeof note, "rms_%s", (*m)->name);
-        claim_note(c, note, result(sums, "rms", (*m)->name, 32).value);
-        snprintf(note, sizeof note, "scatter_%s", (*m)->name);
-        claim_note(c, note, result(sums, "scatter", (*m)->name, 32).value);
+        const char *name = (*m)->name;
+        claim_note(c, phrase("rms_%s", name), result(sums, "rms", name, 32).value);
+        claim_note(c, phrase("scatter_%s", name), result(sums, "scatter", name, 32).value);
     }
 }
 

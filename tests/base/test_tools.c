@@ -195,7 +195,7 @@ static void test_row_timing(void)
 {
     int n = 0;
     for (int k = 0; k < row_columns(); k++) n += row_column_is_timing(k) != 0;
-    CU_ASSERT(n == 3);
+    CU_ASSERT(n == 4);
 }
 
 static const TestCase tests[] = {

@@ -23,7 +23,9 @@ run() {
 }
 lines() { wc -l <"$1"; }
 # untimed CSV: the table without its timing columns, which come last.
-untimed() { sed 's/\(,[^,]*\)\{3\}$//' "$1"; }
+untimed() { sed 's/\(,[^,]*\)\{4\}$//' "$1"; }
+# timeless CSV: a row as `run` prints it, without its timing columns.
+timeless() { cut -d, -f1-17,21-28 "$1"; }
 same() { cmp -s <(untimed "$1") <(untimed "$2"); }
 # failed_well NAME STATUS TEXT: what run left: that status and one line with the text.
 failed_well() {

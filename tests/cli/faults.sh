@@ -183,12 +183,41 @@ ok "standard error closed" test $? -eq 2 -a ! -e t2.csv
 timeout 60 env --ignore-signal=CHLD "$program" study $few --quick --out ignored --jobs 2 2>err
 ok "SIGCHLD ignored by the parent: $(cat err)" same whole/quick/$few.csv ignored/quick/$few.csv
 
-"$program" run free_block --cells 200 --set steps=100000 >out 2>err &
-sleep 0.3
+# A run that is told to stop: a row, its history to the last full instant, no line in a table; the history is the
+# beginning of the whole run's.
+"$program" run bar --t-end 4 --set steps=200 --history whole.history >/dev/null 2>&1
+for signal in INT TERM HUP; do
+    "$program" run bar --t-end 4 --history stopped.history --csv stopped.csv --particles stopped.particles >out 2>err &
+    sleep 0.2
+    kill -$signal $!
+    wait $!
+    status=$?
+    failed_well "SIG$signal to a run" 130 "interrupted: step "
+    done=$(tail -n 1 out | cut -d, -f10)
+    ok "SIG$signal: its row" test "$(tail -n 1 out | cut -d, -f17)" = interrupted -a "$(lines out)" -eq 2
+    ok "SIG$signal: its history" test "$(lines stopped.history)" -eq $((done + 2)) -a "$done" -gt 0
+    ok "SIG$signal: which is the whole run's" cmp -s <(head -n 150 whole.history) <(head -n 150 stopped.history)
+    ok "SIG$signal: its particles" test "$(lines stopped.particles)" -eq 81
+    ok "SIG$signal: no row in a table" test ! -e stopped.csv
+done
+"$program" run free_block --cells 700 >out 2>err &
+sleep 0.1
+kill -INT $!
+sleep 0.02
 kill -INT $!
 wait $!
 status=$?
-failed_well "SIGINT to a run" 130 "interrupted"
+failed_well "SIGINT twice" 130 "interrupted"
+ok "SIGINT twice: at once" test ! -s out
+
+# Tables of a program whose rows had fewer columns
+run run bar --set steps=1 --csv older.csv
+cut -d, -f1-28 older.csv >old.csv
+run run bar --set steps=1 --csv old.csv
+ok "an older table keeps its columns" test "$(awk -F, '{ print NF }' old.csv | tr '\n' ' ')" = "28 28 28 "
+cut -d, -f1-20 older.csv >old.csv
+run run bar --set steps=1 --csv old.csv
+failed_well "a table of other columns" 2 "other columns"
 
 # Decimal commas
 ok "setlocale is not called" bash -c "! nm -D --undefined-only '$program' | grep -w setlocale"

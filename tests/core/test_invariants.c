@@ -1,42 +1,7 @@
-/* test_invariants.c: conservation, symmetry, no effect of threads, empty space and padding. */
+/* test_invariants.c: conservation, symmetry, no effect of threads and empty space. */
 #include <stdlib.h>
 #include <string.h>
-#include "tests/fixture.h"
-
-/* By dimension; several blocks of rows, half-filled chunks. */
-static const Case blocks[] = {{1, "free_block", 200, 2, 0, NULL},
-                              {2, "free_block", 20, 4, 0, NULL}};
-
-/* Their edges midway between nodes. */
-static const Case between[] = {{1, "free_block", 200, 2, 0, "box=1.505"},
-                               {2, "free_block", 20, 4, 0, "box=1.55"}};
-
-/* Particles on nodes: a third of them along an axis; all, edges and corners included. */
-static const Case on_nodes[][2] = {
-    {{1, "free_block", 200, 3, 0.1, "box=1.505"}, {1, "free_block", 200, 1, 0.1, "box=1.505"}},
-    {{2, "free_block", 20, 9, 0.1, "box=1.55"}, {2, "free_block", 20, 1, 0.1, "box=1.55"}}};
-
-typedef void Check(Rig *r);
-
-/* Runs a check over every pair, in every variant, with and without refresh where it matters. */
-static void for_cases(const Case *scene, Check *check)
-{
-    char set[VARIANT_TEXT];
-    FOR_METHODS(m) for (int k = 0; k < VARIANTS; k++) FOR_INTEGRATORS(i) for (int f = 0; f < 2; f++)
-    {
-        Rig r;
-        if (f && i != UVF && i != MUSL) continue;
-        if (!rig_variant(*m, k, f ? "allow_unstable=1;refresh=1" : "allow_unstable=1", set))
-            continue;
-        CU_ASSERT_FATAL(rig_plan(&r, scene, (*m)->info.name, i, set));
-        check(&r);
-    }
-}
-
-static void for_pairs(Check *check)
-{
-    for_cases(&blocks[DIM - 1], check);
-}
+#include "pairs.h"
 
 /* Momentum, and sum m |v| for its scale. */
 static double momentum_of(const double *s, int n, Vec out)
@@ -52,18 +17,22 @@ static double momentum_of(const double *s, int n, Vec out)
 }
 
 /* To round-off where nodes are sums over particles. WLS's are integrals: the body gains dt sum_i
- * (M_i - m_i) a_i (wls.h), at most 4.4e-6 and 5.5e-5 of sum m |v| here; a third more is allowed. */
+ * (M_i - m_i) a_i (wls.h), at most 4.4e-6, 5.5e-5 and 1.06e-3 of sum m |v| here (h = 1/200,
+ * 1/20, 1/5); a third more is allowed. */
 static void check_momentum(Rig *r)
 {
     Vec before, after;
-    const double share = r->plan.setup.method->assemble ? IN_THIS_DIM(5.8e-6, 7.3e-5, 0) : 1e-12;
+    const double share =
+        r->plan.setup.method->assemble ? IN_THIS_DIM(5.8e-6, 7.3e-5, 1.4e-3) : 1e-12;
     Sim *sim = rig_sim(r);
     const int n = sim->p.count;
     double *start = rig_state(sim);
     int steps = 0;
     while (steps < 20 && rig_steps(r, sim, steps, steps + 1)) steps++;
-    const Method *m = r->plan.setup.method; /* GE-MPM, tents that keep L, may be lost */
-    CU_ASSERT(steps == 20 || (steps >= 5 && m->keeps_L && !m->smooth));
+    const Method *m = r->plan.setup.method; /* GE-MPM, tents that keep L, may be lost; in 3D all
+                                               tents: corner masses eps^3 (H-5) */
+    CU_ASSERT(steps == 20 ||
+              (steps >= IN_THIS_DIM(5, 5, 2) && (m->keeps_L || DIM > 2) && !m->smooth));
     double *end = rig_state(sim), size = momentum_of(start, n, before);
     momentum_of(end, n, after);
     for (int d = 0; d < DIM; d++) CHECK_CLOSE(after[d], before[d], share * size);
@@ -74,16 +43,18 @@ static void check_momentum(Rig *r)
 
 static void test_momentum(void)
 {
-    for_pairs(check_momentum);
+    for_cases(full(), check_momentum), for_total(&blocks[DIM - 1], check_momentum);
     for (int k = 0; k < 2; k++) for_cases(&on_nodes[DIM - 1][k], check_momentum);
 }
 
 /* The nodes carry the block's mass, rho times its volume, after any step. WLS integrates a fitted
- * density (off by 3e-6 in 1D, 4e-4) over cells cut straight: each corner may lose half of one. */
+ * density (off by 3e-6 in 1D, 4e-4) over cells cut straight: each of four corners, in 3D of twelve
+ * edges, may lose half of one. */
 static void check_mass(Rig *r)
 {
     Nodes nodes;
-    const double h = r->plan.scene.cell, wls = DIM == 1 ? 5e-6 : 5e-4 + 2 * h * h;
+    const double h = r->plan.scene.cell,
+                 wls = DIM == 1 ? 5e-6 : 5e-4 + IN_THIS_DIM(0, 2, 6) * h * h;
     const double off = r->plan.setup.method->assemble ? wls : 1e-11; /* empty nodes hold 1e-12 */
     r->plan.setup.snapshot_nodes = true;
     void *core = particle_solver.make(&r->plan.setup, &r->fault);
@@ -100,7 +71,7 @@ static void check_mass(Rig *r)
 
 static void test_mass(void)
 {
-    for_pairs(check_mass);
+    for_cases(full(), check_mass);
 }
 
 /* ---- mirror symmetry: a mirrored start gives the mirrored result */
@@ -133,6 +104,7 @@ static void check_mirror(Rig *r)
         const int n = plain->p.count;
         double *field[FIELDS];
         mirror_fields(turned->p.field, n, axis, width);
+        sim_start_own(turned);
         CU_ASSERT_FATAL(rig_steps(r, plain, 0, moves) && rig_steps(r, turned, 0, moves));
         double *a = rig_state(plain), *b = rig_state(turned);
         for (int f = 0; f < FIELDS; f++) field[f] = b + f * n;
@@ -157,7 +129,7 @@ static void check_tent_mirror(Rig *r)
 
 static void test_mirror(void)
 {
-    for_cases(&between[DIM - 1], check_mirror);
+    for_cases(&between[DIM - 1], check_mirror), for_total(&between[DIM - 1], check_mirror);
     for_cases(&on_nodes[DIM - 1][1], check_tent_mirror);
 }
 
@@ -167,7 +139,7 @@ static double *run_threads(Rig *r, int threads)
 {
     r->plan.setup.threads = threads;
     Sim *sim = rig_sim(r);
-    CU_ASSERT_FATAL(rig_steps(r, sim, 0, 20));
+    CU_ASSERT(rig_steps(r, sim, 0, FEW) || (DIM > 2 && !r->plan.setup.method->smooth));
     CU_ASSERT(sim->nblock >= 3);
     double *state = rig_state(sim);
     sim_free(sim);
@@ -179,7 +151,7 @@ static void check_threads(Rig *r)
     double *one = run_threads(r, 1);
     const size_t bytes = sizeof(double) * FIELDS;
     Sim *sim = rig_sim(r);
-    for (int threads = 2; threads <= 4; threads++) {
+    for (int threads = 2; threads <= IN_THIS_DIM(4, 4, 3); threads++) {
         double *many = run_threads(r, threads);
         CU_ASSERT(memcmp(one, many, bytes * (size_t)sim->p.count) == 0);
         free(many);
@@ -190,28 +162,8 @@ static void check_threads(Rig *r)
 
 static void test_threads(void)
 {
-    for_pairs(check_threads);
-    for_cases(&on_nodes[DIM - 1][0], check_threads);
-}
-
-/* Every column but the timings. */
-static void test_thread_rows(void)
-{
-    FOR_METHODS(m)
-    {
-        Row one, many;
-        Fault fault;
-        char a[ROW_TEXT], b[ROW_TEXT];
-        RunSpec spec = rig_spec(&blocks[DIM - 1], (*m)->info.name, NULL, "steps=20");
-        CU_ASSERT_FATAL(run_spec(&spec, &one, &fault) == 0);
-        spec.threads = 3;
-        CU_ASSERT_FATAL(run_spec(&spec, &many, &fault) == 0);
-        CHECK_TEXT(one.status, "ok");
-        for (int k = 0; k < row_columns(); k++) {
-            row_cell(&one, k, a), row_cell(&many, k, b);
-            if (!row_column_is_timing(k)) CHECK_TEXT(a, b);
-        }
-    }
+    for_pairs(check_threads), for_total(&blocks[DIM - 1], check_threads);
+    for_cases(&on_nodes[DIM - 1][DIM > 2], check_threads);
 }
 
 /* ---- empty space: twice the box, the same block (on the same lines of the grid) */
@@ -235,55 +187,7 @@ static void check_empty_space(Rig *r)
 
 static void test_empty_space(void)
 {
-    for_pairs(check_empty_space);
-}
-
-/* ---- what must never be read: nodes outside the spans, the motion of padding */
-
-static void poison(Sim *sim)
-{
-    const Particles *p = &sim->p;
-    const Grid *g = &sim->g;
-    double *lane = (double *)g->node;
-    for (size_t i = 0; i < (size_t)g->rows * (size_t)g->n[0] * LANES; i++) lane[i] = NAN;
-    for (int s = 0; s < p->n; s++) {
-        if (p->id[s] >= 0) continue;
-        CU_ASSERT(!(p->field[AT_M][s] > 0) && !(p->field[AT_VOL][s] > 0));
-        for (int d = 0; d < DIM; d++) p->field[AT_V + d][s] = 1e6;
-    }
-}
-
-static void check_poison(Rig *r)
-{
-    Sim *clean = rig_sim(r), *dirty = rig_sim(r);
-    sim_sort(dirty); /* so that there is padding */
-    CU_ASSERT(dirty->p.n > dirty->p.count);
-    for (int k = 0; k < 20; k++) {
-        poison(dirty);
-        CU_ASSERT_FATAL(rig_steps(r, clean, k, k + 1) && rig_steps(r, dirty, k, k + 1));
-    }
-    double *a = rig_state(clean), *b = rig_state(dirty);
-    CU_ASSERT(memcmp(a, b, sizeof(double) * FIELDS * (size_t)clean->p.count) == 0);
-    free(a), free(b), sim_free(clean), sim_free(dirty);
-}
-
-static void test_poison(void)
-{
-    for_pairs(check_poison);
-    for_cases(&on_nodes[DIM - 1][0], check_poison);
-}
-
-/* Stencils wider than three nodes, and a block so fast that it drifts a cell between two sorts. */
-static void test_poison_wide(void)
-{
-    const Case wide[] = {{1, "free_block", 100, 0.7, 0, "drift=6;box=2"},
-                         {2, "free_block", 12, 1, 0, "drift=4;swing=3;box=2"}};
-    FOR_METHODS(m)
-    {
-        Rig r;
-        CU_ASSERT_FATAL(rig_plan(&r, &wide[DIM - 1], (*m)->info.name, UVF, "allow_unstable=1"));
-        check_poison(&r);
-    }
+    for_cases(DIM < 3 ? &blocks[DIM - 1] : &apart, check_empty_space);
 }
 
 static const TestCase tests[] = {
@@ -291,10 +195,7 @@ static const TestCase tests[] = {
     {"mass", test_mass},
     {"mirrored scenes", test_mirror},
     {"bitwise the same on any number of threads", test_threads},
-    {"rows of several threads", test_thread_rows},
     {"empty space changes nothing", test_empty_space},
-    {"unused nodes and padding are never read", test_poison},
-    {"nor with wide stencils", test_poison_wide},
     {NULL, NULL},
 };
 CHECK_SUITE(tests)

@@ -39,7 +39,7 @@ static Scene scene_of(const Problem *problem, const double par[])
  * linearly over the last metre: its centre lies at X = 3 + 2/3 (by midpoints: 1/(12 32^2) less). */
 static void test_cantilever(void)
 {
-    const double par[] = {1e4, 0.3, 0.01}, tau = 0.01 * 1e4;
+    const double par[] = {1e4, 0.3, 0.01, 0}, tau = 0.01 * 1e4;
     const Scene s = scene_of(&problem_cantilever, par);
     for (int k = 1; k <= 4; k++) {
         const double part = k < 4 ? k / 3.0 : 1;

@@ -11,7 +11,7 @@ static Row run(const RunSpec *spec)
     return row;
 }
 
-static const char *const any[] = {"", "bar", "free_block"}; /* a scene of each dimension */
+static const char *const any[] = {"", "bar", "free_block", "free_block"}; /* of each dimension */
 
 static Case any_case(double cells, double ppc, double cfl)
 {
@@ -50,13 +50,13 @@ static void test_steps(void)
 /* The column says what was used: 1D any real, rounded to whole particles; else n^DIM. */
 static void test_ppc(void)
 {
-    const double ppc1[] = {0.7, 1, 2.34, 10};
+    const double ppc1[] = {0.7, 1, 2.34, 10}, cells = IN_THIS_DIM(16, 16, 4);
     for (int k = 0; k < COUNT(ppc1); k++) {
         const double ppc = DIM == 1 ? ppc1[k] : pow(k + 1, DIM);
-        const Case c = any_case(16, ppc, 0);
+        const Case c = any_case(cells, ppc, 0);
         const RunSpec spec = rig_spec(&c, "gimp", NULL, "steps=1");
         const Row row = run(&spec);
-        CU_ASSERT(row.particles == round(ppc * pow(16, DIM)));
+        CU_ASSERT(row.particles == round(ppc * pow(cells, DIM)));
         CHECK_CLOSE(row.ppc, DIM == 1 ? round(ppc * 16) / 16 : ppc, 1e-12);
     }
 }
@@ -125,8 +125,8 @@ static void test_defaults(void)
         RunSpec spec = rig_spec(&c, (*m)->info.name, NULL, NULL);
         Plan plan;
         CU_ASSERT_FATAL(plan_make(&spec, &plan, NULL) == 0);
-        const bool tents_2d = DIM == 2 && strcmp((*m)->info.name, "mpm") == 0;
-        CHECK_TEXT(spec.integrator, tents_2d ? "uvf" : "cd");
+        const bool tents = DIM > 1 && strcmp((*m)->info.name, "mpm") == 0;
+        CHECK_TEXT(spec.integrator, tents ? "uvf" : "cd");
     }
     const Case c = any_case(10, 0, 0);
     RunSpec spec = rig_spec(&c, NULL, NULL, NULL);

@@ -44,8 +44,8 @@ static void test_time_order_1d(void)
     FOR_METHODS(m) FOR_INTEGRATORS(i)
     {
         if (!(*m)->smooth || rig_pic(*m) > 0) continue; /* a PIC update damps once a step */
-        if (i == MUSL && strcmp((*m)->info.name, "bspline") == 0)
-            continue; /* P S of a spline is farther from 1 */
+        if (i == MUSL && strncmp((*m)->info.name, "bspline", 7) == 0)
+            continue; /* P S of splines is farther from 1 */
         const double fall = fall_with_dt(&c, *m, i, 0.002, 40);
         const double wanted = i == USL || i == USF ? 2 : i == UVF || (*m)->linear_exact ? 4 : 3.7;
         CHECK_CLOSE(fall, wanted, fabs(wanted - 3.7) < 0.1 ? 0.3 : 0.02);

@@ -42,7 +42,7 @@ static Scene plate(const Problem *problem, const double G[NMAT])
     return s;
 }
 
-static Scene ring(const double par[5], int cells)
+static Scene ring(const double par[6], int cells)
 {
     Scene s = {.problem = &problem_ring, .par = par, .cell = 1.0 / cells};
     char why[128];
@@ -50,7 +50,7 @@ static Scene ring(const double par[5], int cells)
     return s;
 }
 
-static const double quarter[5] = {0.1}, full[5] = {0.1, 1, 0.3, -0.4, 25};
+static const double quarter[6] = {0.1}, full[6] = {0.1, 1, 0.3, -0.4, 25};
 
 /* ---- one step */
 
@@ -169,7 +169,7 @@ static double error_now(const Fem *f, double t)
 
 /* Runs a ring to its end: largest error, and largest |K + S - W - start| over the largest K + S. At
  * t^n K and the power are means over the half steps around it; the ring starts at rest. */
-static void run_ring(const double par[5], int cells, double cfl, double *error, double *drift)
+static void run_ring(const double par[6], int cells, double cfl, double *error, double *drift)
 {
     const Scene s = ring(par, cells);
     Fem *f = make(&s, cells, 1);

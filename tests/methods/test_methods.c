@@ -50,17 +50,32 @@ static void test_constant(void)
     for_variants(check_constant, "spin=0;swing=0");
 }
 
-/* ---- angular momentum: sum m (x x v) + m eps : B, where B is what the method keeps for L */
+/* ---- angular momentum: sum m (x x v) + m eps : B, where B is what the method keeps for L, or L D
+ * with the spread D of its weights */
+
+static double spread_of(const Sim *sim)
+{
+    const Axis open_axis = {.wall_lo = -INFINITY, .wall_hi = INFINITY};
+    Field x = {0}, b = {0};
+    Stencil s;
+    double D = 0;
+    if (sim->method.moments) return 1;
+    for (int p = 0; p < CHUNK; p++) x[p] = 20.3;
+    sim->method.shape(&open_axis, sim->method.width(0.5), x, b, &s);
+    for (int k = 0; k < sim->method.width(0.5); k++)
+        D += s.table[T_S][k][0] * pow((s.base[0] + k - x[0]) * sim->dx, 2);
+    return D;
+}
 
 static double turning(const Sim *sim)
 {
     const Particles *p = &sim->p;
-    double *const *f = p->field, sum = 0;
+    double *const *f = p->field, sum = 0, D = spread_of(sim);
     enum { Y = DIM - 1, XY = 1 % NMAT, YX = DIM % NMAT };
     for (int k = 0; k < p->n; k++)
         if (p->id[k] >= 0)
             sum += f[AT_M][k] * (f[AT_X][k] * f[AT_V + Y][k] - f[AT_X + Y][k] * f[AT_V][k] +
-                                 f[AT_L + YX][k] - f[AT_L + XY][k]);
+                                 D * (f[AT_L + YX][k] - f[AT_L + XY][k]));
     return sum;
 }
 

@@ -152,7 +152,6 @@ static void run_block(const Method *method, bool releases, double speed, int ste
     double par[MAX_PARAMS] = {0};
     for (int k = 0; method->info.params && method->info.params[k].name; k++)
         par[k] = method->info.params[k].value;
-    Fault fault = {0};
     Setup setup = {.scene = &s,
                    .method = method,
                    .method_par = par,
@@ -163,20 +162,23 @@ static void run_block(const Method *method, bool releases, double speed, int ste
                    .threads = 1};
     s.k[SPEED] = speed;
     s.c = material_wave_speed_bound(&s.mat);
-    void *self = particle_solver.make(&setup, &fault);
+    void *self = particle_solver.make(&setup, NULL);
     CU_ASSERT_PTR_NOT_NULL_FATAL(self);
     Points p;
     Samples q;
-    Vec given, before, after;
+    Vec given;
+    Scratch scratch = {0};
     particle_solver.view(self, &p, &q);
-    ledger_momentum(&p, before);
+    CU_ASSERT_FATAL(norm_scratch_fit(&scratch, p.n));
+    const Side before = ledger_motion(&p, 1, &scratch);
     for (int k = 0; k < steps; k++)
         CU_ASSERT(particle_solver.step(self, 0.01 * k, 0.01, k == 0).code == OK);
-    particle_solver.view(self, &p, &q);
-    ledger_momentum(&p, after);
+    particle_solver.view(self, &p, &q); /* their slots may have been sorted */
+    const Side after = ledger_motion(&p, 1, &scratch);
     particle_solver.impulse(self, given);
-    *gained = (after[1] - before[1]) / fabs(before[1]);
-    *impulse = given[1] / fabs(before[1]);
+    *gained = (after.p[1] - before.p[1]) / fabs(before.p[1]);
+    *impulse = given[1] / fabs(before.p[1]);
+    norm_scratch_free(&scratch);
     particle_solver.free(self);
 }
 
@@ -210,9 +212,18 @@ static Row run_row(const char *problem, const char *method, double t_end, RunSpe
     return row;
 }
 
+/* Does the method keep its reference grid, so that walls cannot be met later? */
+static bool keeps_grid(const Info *info)
+{
+    for (const Method *const *m = methods; *m; m++)
+        if (&(*m)->info == info) return (*m)->frame == FRAME_TOTAL;
+    return false;
+}
+
 static void test_free_flight(void)
 {
     for (const Info *const *m = method_infos; *m; m++) {
+        if (keeps_grid(*m)) continue;
         const Row row = run_row("disk_impact", (*m)->name, 0.25, (RunSpec){0});
         CHECK_TEXT(row.status, "ok");
         CHECK_CLOSE(row.energy_drift, 0, 1e-12);

@@ -6,7 +6,7 @@ extern const Problem problem_ring;
 
 enum { FULL = 1 };
 
-static Scene ring(const double par[5], double cell)
+static Scene ring(const double par[6], double cell)
 {
     Scene s = {.problem = &problem_ring, .par = par, .cell = cell};
     char why[128];
@@ -14,7 +14,7 @@ static Scene ring(const double par[5], double cell)
     return s;
 }
 
-static const double quarter[5] = {0.1}, moved[5] = {0.1, FULL, 0.3, -0.4, 25};
+static const double quarter[6] = {0.1}, moved[6] = {0.1, FULL, 0.3, -0.4, 25};
 
 static void test_body_force_values(void)
 {

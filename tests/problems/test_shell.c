@@ -6,8 +6,8 @@
 
 extern const Problem problem_shell, problem_ring, problem_axis_mms, problem_cavity;
 
-static const double octant[] = {0.1, 0, 0, 0, 0, 0}, moved[] = {0.1, 1, 0.3, -0.2, 0.4, 25};
-static const double turned_ring[] = {0.1, 1, 0.3, -0.2, 0}, waves[] = {0.05, 1e4, 0.3, 2};
+static const double octant[] = {0.1, 0, 0, 0, 0, 0, 0}, moved[] = {0.1, 1, 0.3, -0.2, 0.4, 25, 0};
+static const double turned_ring[] = {0.1, 1, 0.3, -0.2, 0, 0}, waves[] = {0.05, 1e4, 0.3, 2};
 
 static Scene scene_of(const Problem *problem, const double *par)
 {

@@ -66,12 +66,12 @@ static void test_norms(void)
         e[p] = size_of(off, p) / 0.5;
     }
     CU_ASSERT_FATAL(norm_scratch_fit(&scratch, N));
-    const Errors now = norm_displacement(&scene, &s.points, 0, &scratch);
+    const Errors now = norm_displacement(&scene, &s.points, 0, 1, &scratch);
     CHECK_CLOSE(now.linf, fmax(e[0], e[1]), 1e-14);
     CHECK_CLOSE(now.l2, sqrt((e[0] * e[0] + 3 * e[1] * e[1]) / 4), 1e-14);
     CHECK_CLOSE(now.l1, (e[0] + 3 * e[1]) / 4, 1e-14);
     s.x[0][0] = NAN;
-    const Errors none = norm_displacement(&scene, &s.points, 0, &scratch);
+    const Errors none = norm_displacement(&scene, &s.points, 0, 1, &scratch);
     CU_ASSERT(isnan(none.linf) && isnan(none.l2) && isnan(none.l1));
     norm_scratch_free(&scratch);
 }
@@ -105,7 +105,7 @@ static void test_projection(void)
 static void test_sums(void)
 {
     Set s;
-    Vec p;
+    Scratch scratch = {0};
     Volumes v;
     double kinetic = 0, speeds = 0, own[DIM] = {0}, J[REAL];
     fill(&s);
@@ -117,13 +117,42 @@ static void test_sums(void)
         for (int c = 0; c < NMAT; c++) F[c] = s.F[c][k];
         J[k] = determinant(F);
     }
-    CHECK_CLOSE(ledger_kinetic(&s.points), kinetic, 1e-14);
-    CHECK_CLOSE(ledger_momentum(&s.points, p), speeds, 1e-14);
-    for (int d = 0; d < DIM; d++) CHECK_CLOSE(p[d], own[d], 1e-14);
+    CU_ASSERT_FATAL(norm_scratch_fit(&scratch, CHUNK));
+    const Side now = ledger_motion(&s.points, 1, &scratch);
+    CHECK_CLOSE(now.kinetic, kinetic, 1e-14);
+    CHECK_CLOSE(now.mv, speeds, 1e-14);
+    for (int d = 0; d < DIM; d++) CHECK_CLOSE(now.p[d], own[d], 1e-14);
+    norm_scratch_free(&scratch);
     v = ledger_volumes(&s.samples);
     CHECK_CLOSE(v.sum, weight[0] * J[0] + weight[1] * J[1], 1e-14);
     CHECK_CLOSE(v.least, fmin(J[0], J[1]), 0);
     CHECK_CLOSE(v.most, fmax(J[0], J[1]), 0);
+}
+
+/* Many points, in blocks with a rest: the sums of a plain loop, and the same bits by threads. */
+static void test_blocks(void)
+{
+    enum { MANY = 5000 };
+    static double m[MANY], v[DIM][MANY];
+    Scratch scratch = {0};
+    Points q = {.n = MANY, .m = m};
+    double kinetic = 0, px = 0;
+    for (int d = 0; d < DIM; d++) q.v[d] = v[d];
+    for (int k = 0; k < MANY; k++) {
+        m[k] = rig_random(0, 1);
+        for (int d = 0; d < DIM; d++) v[d][k] = rig_random(-1, 1);
+        px += m[k] * v[0][k];
+        for (int d = 0; d < DIM; d++) kinetic += 0.5 * m[k] * v[d][k] * v[d][k];
+    }
+    CU_ASSERT_FATAL(norm_scratch_fit(&scratch, MANY));
+    const Side one = ledger_motion(&q, 1, &scratch);
+    CHECK_CLOSE(one.kinetic / kinetic, 1, 1e-13);
+    CHECK_CLOSE(one.p[0], px, 1e-11);
+    for (int threads = 2; threads < 5; threads++) {
+        const Side many = ledger_motion(&q, threads, &scratch);
+        CU_ASSERT(memcmp(&one, &many, sizeof one) == 0);
+    }
+    norm_scratch_free(&scratch);
 }
 
 /* Of two bodies: m r x v of their relative motion, reduced mass 10/7. */
@@ -156,8 +185,8 @@ static void test_strain(void)
         material_stored_energy(&scene.mat, 1, F, &psi);
         sum += weight[k] * psi;
     }
-    CU_ASSERT_FATAL(norm_scratch_fit(&scratch, N));
-    CHECK_CLOSE(ledger_strain(&scene, &s.samples, &scratch), sum, 1e-14);
+    CU_ASSERT_FATAL(norm_scratch_fit(&scratch, CHUNK));
+    CHECK_CLOSE(ledger_strain(&scene, &s.samples, 1, &scratch), sum, 1e-14);
     norm_scratch_free(&scratch);
 }
 
@@ -231,7 +260,31 @@ static void test_formulas(void)
         CU_ASSERT((*m)->formula && *(*m)->formula && !(*m)->scale);
 }
 
+/* Every column but the timings. */
+static void test_thread_rows(void)
+{
+    static const Case blocks[] = {{1, "free_block", 200, 2, 0, NULL},
+                                  {2, "free_block", 20, 4, 0, NULL},
+                                  {3, "free_block", 8, 8, 0, "dim=3"}};
+    FOR_METHODS(m)
+    {
+        Row one, many;
+        Fault fault;
+        char a[ROW_TEXT], b[ROW_TEXT];
+        RunSpec spec = rig_spec(&blocks[DIM - 1], (*m)->info.name, NULL, "steps=20");
+        CU_ASSERT_FATAL(run_spec(&spec, &one, &fault) == 0);
+        spec.threads = 3;
+        CU_ASSERT_FATAL(run_spec(&spec, &many, &fault) == 0);
+        CHECK_TEXT(one.status, "ok");
+        for (int k = 0; k < row_columns(); k++) {
+            row_cell(&one, k, a), row_cell(&many, k, b);
+            if (!row_column_is_timing(k)) CHECK_TEXT(a, b);
+        }
+    }
+}
+
 static const TestCase tests[] = {
+    {"sums over blocks of points", test_blocks},
     {"error norms", test_norms},
     {"errors of a projection", test_projection},
     {"kinetic energy, momentum, volumes", test_sums},
@@ -239,6 +292,7 @@ static const TestCase tests[] = {
     {"strain energy", test_strain},
     {"formulas and error scales of scenes, formulas of methods", test_formulas},
     {"von Mises stress; columns of --particles", test_von_mises},
+    {"rows of several threads", test_thread_rows},
     {NULL, NULL},
 };
 CHECK_SUITE(tests)

@@ -26,10 +26,12 @@ static Row run_whole(const char *format, const char *method)
     return row;
 }
 
-/* Momentum is kept to round-off; WLS, which alone counts nodes that fall back, repairs some. */
+/* Momentum is kept to round-off; by WLS, which alone counts nodes that fall back, but for dt sum_i
+ * (M_i - m_i) a_i: M_i and the integrated m_i differ at the nodes of the surface alone, whose share
+ * in the mass is of order h. Seen: .044 h on the shell, .09 h of a block of four cells. */
 static double drift_of(const Row *row)
 {
-    return row->fallbacks >= 0 ? 0.05 : 1e-12;
+    return row->fallbacks >= 0 ? 0.1 * row->h : 1e-12;
 }
 
 static void check_equal(const Row *a, const Row *b, double tolerance)
@@ -93,7 +95,9 @@ static void test_shell(void)
         {"wls", "run shell --cells 8 --method %s", 0.0191, 0.15},
         {"wls", "run shell --cells 16 --method %s", 0.00481, 0.15},
         {"wls2", "run shell --cells 8 --method %s", 0.0114, 0.1},
-        {"wls2", "run shell --cells 16 --method %s", 0.00299, 0.1}};
+        {"wls2", "run shell --cells 16 --method %s", 0.00299, 0.1},
+        {"ge_wls", "run shell --cells 8 --method %s", 0.00517, 0.05}, /* seen here */
+        {"ge_wls", "run shell --cells 16 --method %s", 0.00128, 0.05}};
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         const Row row = run_whole(known[k].text, known[k].method);
         CHECK_CLOSE(row.error_linf / known[k].error, 1, known[k].within);
@@ -109,7 +113,26 @@ static void test_order(void)
     CU_ASSERT(log2(coarse.error_linf / fine.error_linf) > 1.9);
 }
 
-/* Every method that runs in 3D keeps the momentum of a free block that drifts along all axes. */
+/* W11's eq 17 at walls: nodes there lie on the surface, and the mean of their surface points is off
+ * along it, by the strain; its length counts as a distance, with either sign. Energy grows in the
+ * plane as in space; along normals it does not, and the error is GIMP's. */
+static void test_walls(void)
+{
+    static const char *const each[] = {"run axis_mms --cells 8 --method %s",
+                                       "run axis_mms --cells 8 --set dim=3 --method %s"};
+    for (int k = 0; k < 2; k++) {
+        char normals[96];
+        snprintf(normals, sizeof normals, "%s --set distance=normals", each[k]);
+        const Row mean = run_text(each[k], "wls"), along = run_whole(normals, "wls");
+        CU_ASSERT(mean.energy_drift > 0.2 && mean.energy_drift < 0.31);
+        CHECK_TEXT(mean.status, "energy_growth");
+        CU_ASSERT(fabs(along.energy_drift) < 0.03);
+        CHECK_CLOSE(along.error_linf / run_whole(each[k], "gimp").error_linf, 1, 0.25);
+    }
+}
+
+/* Every method that runs in 3D keeps the momentum of a free block that drifts along all axes. The
+ * drift of WLS falls with h at least. */
 static void test_momentum(void)
 {
     for (const Info *const *m = engine_3d.methods; *m; m++) {
@@ -117,11 +140,16 @@ static void test_momentum(void)
         strcpy(spec.method, (*m)->name);
         spec_set(&spec, "dim=3", NULL);
         if (engine_3d.resolve(&spec, NULL)) continue;
-        const Row row = run_text("run block --set dim=3 --cells 4 --set stretch=.95 --set angle=20 "
-                                 "--set drift_x=.1 --set drift_y=-.05 --set drift_z=.07 --set "
-                                 "offset_x=.3 --set offset_z=.2 --set steps=20 --method %s",
-                                 (*m)->name);
+        static const char block[] = "run block --set dim=3 --set stretch=.95 --set angle=20 --set "
+                                    "drift_x=.1 --set drift_y=-.05 --set drift_z=.07 --set "
+                                    "offset_x=.3 --set offset_z=.2 --method %s";
+        char coarse[320], fine[320];
+        snprintf(coarse, sizeof coarse, "%s --cells 4 --set steps=20", block);
+        snprintf(fine, sizeof fine, "%s --cells 8 --set steps=40", block);
+        const Row row = run_text(coarse, (*m)->name);
         CU_ASSERT(row.momentum_drift < drift_of(&row));
+        if (row.fallbacks >= 0)
+            CU_ASSERT(run_text(fine, (*m)->name).momentum_drift < 0.5 * row.momentum_drift);
     }
 }
 
@@ -179,6 +207,7 @@ static const TestCase tests[] = {
     {"an octant of the shell is the whole", test_octant},
     {"errors of the shell as measured elsewhere", test_shell},
     {"second order of GE-GIMP on standing waves", test_order},
+    {"eq 17 at walls", test_walls},
     {"momentum of a free block", test_momentum},
     {"threads and empty space change nothing", test_same},
     {"default dimension of a scene", test_dimension},

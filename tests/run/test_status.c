@@ -212,6 +212,7 @@ static void test_reasons(void)
                         .done = 4,
                         .dt = 0.1,
                         .failed_at = 0.5,
+                        .growth_t = 0.2,
                         .growth_step = 2,
                         .fastest = 9,
                         .speed = 6};

@@ -120,11 +120,14 @@ static void test_colours(void)
         CU_ASSERT(strlen(colour[k]) == 7 && palette_marker(k) > 0);
         for (int j = 0; j < k; j++) CU_ASSERT(strcmp(colour[j], colour[k]) != 0);
     }
-    char *settings = palette_settings();
+    char settings[4096] = "";
+    FILE *f = fmemopen(settings, sizeof settings, "w");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    palette_put(f);
+    fclose(f);
     CU_ASSERT_PTR_NOT_NULL(strstr(settings, "METHODS='mpm gimp ge_mpm"));
     CU_ASSERT_PTR_NOT_NULL(strstr(settings, "LABELS='MPM GIMP GE-MPM"));
     CU_ASSERT_PTR_NOT_NULL(strstr(settings, "COLOURS='#D55E00 "));
-    free(settings);
 }
 
 static const TestCase tests[] = {

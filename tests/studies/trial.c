@@ -107,8 +107,8 @@ static void history(FILE *f, const Case *c)
     fputs("t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume\n", f);
     for (int k = 0; k <= 1500; k++) {
         const double t = c->spec.t_end * k / 1500, half = 0.5 + 0.5 * cos(3.4 * t) * cos(3.4 * t);
-        fprintf(f, "%.10g,%.8g,%.8g,0,%.8g,1,%.8g,,%.10g,1\n", t, half, 1 - half + 1e-6 * k,
-                1 + 1e-6 * k, half, c->spec.t_end / 1500);
+        fprintf(f, "%.10g,%.8g,%.8g,0,%.8g,1,%.8g,%.8g,%.10g,1\n", t, half, 1 - half + 1e-6 * k,
+                1 + 1e-6 * k, half, 1e-6 * k, c->spec.t_end / 1500);
     }
 }
 

@@ -8,7 +8,7 @@ typedef struct Take {
     bool v, x, later, L, F; /* later: keep the displacement for after a re-projection */
 } Take;
 
-static double det(const double F[DIM][DIM])
+double twin_det(const double F[DIM][DIM])
 {
     const int u = 1 % DIM, z = 2 % DIM;
     if (DIM == 1) return F[0][0];
@@ -21,7 +21,7 @@ static double det(const double F[DIM][DIM])
 /* Cauchy stress [Pa]: W11 eq 32, or P F^T/J with P linear in F. */
 static void cauchy(const Material *m, const double F[DIM][DIM], double sigma[DIM][DIM])
 {
-    const double J = det(F);
+    const double J = twin_det(F);
     double trace = 0;
     for (int a = 0; a < DIM; a++) trace += F[a][a] - 1;
     for (int a = 0; a < DIM; a++)
@@ -39,6 +39,36 @@ static void cauchy(const Material *m, const double F[DIM][DIM], double sigma[DIM
         }
 }
 
+static void multiply(double A[DIM][DIM], double B[DIM][DIM], double out[DIM][DIM])
+{
+    double C[DIM][DIM] = {{0}};
+    for (int a = 0; a < DIM; a++)
+        for (int b = 0; b < DIM; b++)
+            for (int k = 0; k < DIM; k++) C[a][b] += A[a][k] * B[k][b];
+    memcpy(out, C, sizeof C);
+}
+
+void twin_refer_gradient(TwinParticle *p)
+{
+    multiply(p->L, p->F, p->L);
+}
+
+/* First Piola stress P = J sigma F^-T: its column b is J sigma times row b of F^-1, which is the
+ * gradient by x of coordinate b of X: det with row or column replaced, over det. */
+static void piola(const double F[DIM][DIM], double sigma[DIM][DIM])
+{
+    double J_inverse_T[DIM][DIM], P[DIM][DIM] = {{0}};
+    for (int a = 0; a < DIM; a++)
+        for (int b = 0; b < DIM; b++) {
+            double M[DIM][DIM];
+            memcpy(M, F, sizeof M);
+            for (int k = 0; k < DIM; k++) M[a][k] = k == b;
+            J_inverse_T[a][b] = twin_det((const double(*)[DIM])M);
+        }
+    multiply(sigma, J_inverse_T, P);
+    memcpy(sigma, P, sizeof P);
+}
+
 /* What a particle offers beside its velocity [1/s]: L, or moments over their spread (Jiang et al.
  * 2015). */
 static void slopes(const Twin *w, const TwinParticle *p, const Sight s[3], double A[DIM][DIM])
@@ -53,11 +83,12 @@ static void slopes(const Twin *w, const TwinParticle *p, const Sight s[3], doubl
 static void deposit(Twin *w, const TwinParticle *p, bool force)
 {
     Sight s[3];
-    double sigma[DIM][DIM] = {{0}}, A[DIM][DIM] = {{0}}, S, G[DIM], x[DIM];
+    double stress[DIM][DIM] = {{0}}, A[DIM][DIM] = {{0}}, S, G[DIM], x[DIM];
     look_around(w, p, s);
-    const double V = p->V0 * det(p->F);
     if (w->method.gradient) slopes(w, p, s, A);
-    if (force) cauchy(&w->setup->scene->mat, p->F, sigma);
+    if (force) cauchy(&w->setup->scene->mat, p->F, stress);
+    if (is_total(w) && force) piola(p->F, stress);
+    const double V = p->V0 * (is_total(w) ? 1 : twin_det(p->F));
     FOR_NODES(s, i)
     {
         TwinNode *node = node_of(w, s, i, &S, G, x);
@@ -65,9 +96,10 @@ static void deposit(Twin *w, const TwinParticle *p, bool force)
         node->m += S * p->m;
         for (int a = 0; a < DIM; a++) {
             double v = p->v[a];
-            for (int b = 0; b < DIM && w->method.gradient; b++) v += A[a][b] * (x[b] - p->x[b]);
+            for (int b = 0; b < DIM && w->method.gradient; b++)
+                v += A[a][b] * (x[b] - place(w, p, b));
             node->p[a] += S * p->m * v;
-            for (int b = 0; b < DIM && force; b++) node->f[a] -= V * sigma[a][b] * G[b];
+            for (int b = 0; b < DIM && force; b++) node->f[a] -= V * stress[a][b] * G[b];
             if (force) node->f[a] += S * p->m * p->b[a];
         }
     }
@@ -79,7 +111,9 @@ static TwinParticle image(const TwinParticle *p, const Wall *wall)
     TwinParticle q = *p;
     const int n = wall->axis;
     q.x[n] = 2 * wall->at - p->x[n];
+    q.X[n] = 2 * wall->at - p->X[n];
     q.v[n] = -p->v[n];
+    for (int c = 0; c < TWIN_CORNERS; c++) q.corner[c][n] = 2 * wall->at - p->corner[c][n];
     q.b[n] = -p->b[n];
     q.w[n] = -p->w[n];
     for (int a = 0; a < DIM; a++)
@@ -154,14 +188,13 @@ static void solve(Twin *w, double dt, double scale)
     }
 }
 
-/* F += dt L F */
-static void deform(TwinParticle *p, double dt, double L[DIM][DIM])
+/* F += dt L F; of the reference grid L is dv/dX, and F += dt L. */
+static void deform(const Twin *w, TwinParticle *p, double dt, double L[DIM][DIM])
 {
-    double old[DIM][DIM];
-    memcpy(old, p->F, sizeof old);
+    double rate[DIM][DIM];
+    multiply(L, p->F, rate);
     for (int a = 0; a < DIM; a++)
-        for (int b = 0; b < DIM; b++)
-            for (int k = 0; k < DIM; k++) p->F[a][b] += dt * L[a][k] * old[k][b];
+        for (int b = 0; b < DIM; b++) p->F[a][b] += dt * (is_total(w) ? L[a][b] : rate[a][b]);
 }
 
 /* FLIP: v += dt a; PIC: v = S v, or what a filter left of the particle's own (textbook_filter.c);
@@ -175,6 +208,23 @@ static void take_velocity(const Twin *w, TwinParticle *p, double dt, const doubl
         const double own = w->method.filter == TWIN_PARTICLES ? flip - p->w[d] : v[d];
         p->v[d] = (1 - pic) * flip + pic * own;
     }
+}
+
+/* CPDI2's corners go with the grid. */
+static void move_corners(const Twin *w, TwinParticle *p, double dt, const Sight s[3])
+{
+    const TwinParticle old = *p;
+    for (int c = 0; c < TWIN_CORNERS; c++) FOR_NODES(s, i)
+        {
+            double y[DIM], node[DIM];
+            const TwinNode *at = node_at(w, s, i);
+            for (int d = 0; d < DIM; d++) {
+                y[d] = old.corner[c][d] * w->setup->cells;
+                node[d] = s[d].first + i[d];
+            }
+            for (int d = 0; d < DIM && at; d++)
+                p->corner[c][d] += dt * corner_tent(y, node) * at->v[d];
+        }
 }
 
 static void gather_one(const Twin *w, TwinParticle *p, double dt, Take take)
@@ -191,7 +241,7 @@ static void gather_one(const Twin *w, TwinParticle *p, double dt, Take take)
             a[d] += S * node->a[d];
             for (int b = 0; b < DIM; b++) L[d][b] += node->v[d] * G[b];
             for (int b = 0; b < DIM && m->moments; b++)
-                B[d][b] += S * node->v[d] * (x[b] - p->x[b]);
+                B[d][b] += S * node->v[d] * (x[b] - place(w, p, b));
         }
     }
     if (take.v) take_velocity(w, p, dt, v, a);
@@ -200,7 +250,9 @@ static void gather_one(const Twin *w, TwinParticle *p, double dt, Take take)
         if (take.later) p->u[d] = dt * v[d];
     }
     if (m->pic > 0 ? take.v : take.L || take.F) memcpy(p->L, m->moments ? B : L, sizeof L);
-    if (take.F) deform(p, dt, L);
+    const bool moves = take.x || (take.F && w->setup->integrator == MUSL);
+    if (moves && m->shape == TWIN_CPDI2 && !is_total(w)) move_corners(w, p, dt, s);
+    if (take.F) deform(w, p, dt, L);
 }
 
 static void gather(Twin *w, double dt, Take take)

@@ -15,6 +15,7 @@ typedef struct TwinParticle {
     double u[DIM];                 /* [m] displacement to be made after a re-projection (musl) */
     double b[DIM];                 /* [m/s^2] body force per mass */
     double F[DIM][DIM];            /* [-] */
+    double corner[1 << DIM][DIM];  /* [m] of its domain (CPDI2) */
     double L[DIM][DIM];            /* [1/s] grad v of the last gather; or moments [m^2/s] */
 } TwinParticle;
 
@@ -26,7 +27,14 @@ typedef struct TwinNode {
     unsigned held;            /* bit a: v_a = a_a = 0 */
 } TwinNode;
 
-typedef enum { TWIN_TENT, TWIN_BOX, TWIN_SPLINE } TwinShape; /* box: GIMP's exact convolution */
+typedef enum {
+    TWIN_TENT,
+    TWIN_BOX,
+    TWIN_SPLINE,
+    TWIN_CUBIC,
+    TWIN_CPDI,
+    TWIN_CPDI2
+} TwinShape; /* box: GIMP's exact convolution */
 typedef enum { TWIN_NONE, TWIN_PARTICLES, TWIN_NODES } TwinFilter; /* XPIC, FMPM */
 
 typedef struct TwinMethod {
@@ -35,6 +43,7 @@ typedef struct TwinMethod {
     bool gradient; /* gradient-enhanced projection (W07 section 4) */
     double pic;    /* share of S v in v, the rest is v + dt S a; a gradient is taken with it */
     bool moments;  /* keeps sum_i S v (x_i - x)^T in the place of L (APIC) */
+    bool fitted;   /* slopes of moving least squares instead of derivatives */
     TwinFilter filter;
     double least; /* a node with less than this part of a particle's mass is empty */
 } TwinMethod;
@@ -64,8 +73,10 @@ void twin_step(Twin *twin, double t, double dt, bool first);
  * their images, from wall k on, each given to the grid. */
 typedef void TwinDeposit(Twin *w, const TwinParticle *p, bool force);
 void twin_images(Twin *w, const TwinParticle *p, TwinDeposit *give, bool force, int k);
-void twin_filter_particles(Twin *w); /* p->w: V without what its filter keeps */
-void twin_filter_nodes(Twin *w);     /* node->v: filtered */
+double twin_det(const double F[DIM][DIM]);
+void twin_refer_gradient(TwinParticle *p); /* L: dv/dx becomes dv/dX = dv/dx F */
+void twin_filter_particles(Twin *w);       /* p->w: V without what its filter keeps */
+void twin_filter_nodes(Twin *w);           /* node->v: filtered */
 
 /* CPU time [ns] per particle and step of `steps` steps from the start; NAN if it is not known. */
 double twin_ns(const Setup *setup, double dt, int steps);

@@ -21,6 +21,16 @@ static const TwinMethod known[] = {
     {.name = "tpic", .gradient = true, .pic = 1, .least = 1e-24},
     {.name = "xpic", .pic = 1, .filter = TWIN_PARTICLES, .least = 1e-24},
     {.name = "fmpm", .pic = 1, .filter = TWIN_NODES, .least = 1e-24},
+    {.name = "bspline3", .shape = TWIN_CUBIC, .least = 1e-24},
+    {.name = "tlmpm", .least = TENT_LEAST},
+    {.name = "mls_mpm",
+     .shape = TWIN_SPLINE,
+     .gradient = true,
+     .pic = 1,
+     .fitted = true,
+     .least = 1e-24},
+    {.name = "cpdi", .shape = TWIN_CPDI, .least = 1e-24},
+    {.name = "cpdi2", .shape = TWIN_CPDI2, .least = 1e-24},
     {.name = "flip_pic", .shape = TWIN_BOX, .least = 1e-24}};
 
 static void make_grid(Twin *w)
@@ -80,6 +90,17 @@ static void place_one(Twin *w, const Layout *layout, int k)
         F[k2] = &p->F[k2 / DIM][k2 % DIM], L[k2] = &p->L[k2 / DIM][k2 % DIM];
     if (scene->problem->start) scene->problem->start(scene, 1, X, at, v, F, L);
     for (int d = 0; d < DIM; d++) p->x[d] = p->X[d] + u[d];
+    if (is_total(w)) twin_refer_gradient(p);
+}
+
+static void start_corners(const Twin *w, TwinParticle *p)
+{
+    double F[DIM][DIM] = {{0}}, x[DIM];
+    for (int a = 0; a < DIM; a++) {
+        x[a] = place(w, p, a);
+        for (int b = 0; b < DIM; b++) F[a][b] = is_total(w) ? a == b : p->F[a][b];
+    }
+    place_corners(x, (const double(*)[DIM])F, w->half * w->h, p->corner);
 }
 
 /* Value of a method's parameter; `other` if it has none such. */
@@ -99,8 +120,9 @@ static bool choose(Twin *w, const Setup *setup)
     while (k < sizeof known / sizeof *known && strcmp(known[k].name, name)) k++;
     if (k == sizeof known / sizeof *known) return false;
     *w = (Twin){.setup = setup, .method = known[k], .h = 1.0 / setup->cells};
-    const int spline_or_box = (int)value_of(setup, "shape", -1);
-    if (spline_or_box >= 0) w->method.shape = spline_or_box ? TWIN_BOX : TWIN_SPLINE;
+    static const TwinShape shapes[] = {TWIN_SPLINE, TWIN_BOX, TWIN_CUBIC};
+    const int shape = (int)value_of(setup, "shape", -1);
+    if (shape >= 0) w->method.shape = shapes[w->method.fitted ? 2 * shape : shape];
     w->method.pic = 1 - value_of(setup, "alpha", 1 - w->method.pic);
     w->order = 1 + (int)value_of(setup, "order", 0);
     return true;
@@ -138,6 +160,7 @@ Twin *twin_new(const Setup *setup)
     w->node = calloc((size_t)w->nodes, sizeof *w->node);
     const bool good = !bad && w->p && w->node;
     for (int k = 0; k < layout.n && good; k++) place_one(w, &layout, k);
+    for (int k = 0; k < w->n && good; k++) start_corners(w, &w->p[k]);
     layout_free(&layout);
     if (good) {
         hold_walls(w);

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include "textbook.h"
+#include "textbook_corners.h"
 
 enum { REACH = 16 }; /* most nodes that a particle may see along one axis */
 
@@ -13,6 +14,7 @@ typedef struct Sight {
     int first, count;
     bool kink; /* a tent's particle on its node, the middle one of three: node_of has the slope */
     double S[REACH], G[REACH]; /* [-] [1/m] */
+    Corners corners;           /* in the first axis' place, if weights are theirs */
 } Sight;
 
 /* The part of [-b, b] in which 1 + side (r + s) is the tent of a node at distance r: s from lo to
@@ -80,6 +82,27 @@ static inline void spline(const Twin *w, int axis, double x, double cells, Sight
     }
 }
 
+/* Cubic B-spline in the two pieces of its books. The node beyond a wall extrapolates from the two
+ * within. */
+static inline void cubic(const Twin *w, int axis, double x, double cells, Sight *s)
+{
+    const double lo = w->wall_lo[axis], hi = w->wall_hi[axis];
+    const int cell = (int)fmax(fmin(floor(x), hi - 1), lo);
+    s->first = cell - 1;
+    s->count = 4;
+    for (int k = 0; k < 4; k++) {
+        const double r = x - (s->first + k), q = fabs(r), tail = 2 - q;
+        s->S[k] = q < 1 ? 0.5 * q * q * q - q * q + 2 / 3.0 : tail * tail * tail / 6;
+        s->G[k] = (q < 1 ? (1.5 * q - 2) * q : -0.5 * tail * tail) * (r > 0 ? cells : -cells);
+    }
+    for (int side = 0; side < 2; side++) {
+        const int out = side ? 3 : 0, wall = side ? 2 : 1, in = side ? 1 : 2;
+        if (side ? cell + 2 <= hi : cell - 1 >= lo) continue;
+        s->S[wall] += 2 * s->S[out], s->S[in] -= s->S[out], s->S[out] = 0;
+        s->G[wall] += 2 * s->G[out], s->G[in] -= s->G[out], s->G[out] = 0;
+    }
+}
+
 /* x in cells from node 0, b = l/h. */
 static inline void look(const Twin *w, int axis, double x, double b, Sight *s)
 {
@@ -97,6 +120,10 @@ static inline void look(const Twin *w, int axis, double x, double b, Sight *s)
         spline(w, axis, x, cells, s);
         return;
     }
+    if (w->method.shape == TWIN_CUBIC) {
+        cubic(w, axis, x, cells, s);
+        return;
+    }
     s->first = (int)floor(x - 1 - b) + 1;
     s->count = (int)ceil(x + 1 + b) - s->first;
     for (int k = 0; k < s->count && k < REACH; k++) {
@@ -105,11 +132,70 @@ static inline void look(const Twin *w, int axis, double x, double b, Sight *s)
     }
 }
 
+/* Is its grid the reference one? Then a particle stands where it was placed, undeformed. */
+static inline bool is_total(const Twin *w)
+{
+    return w->setup->frame == FRAME_TOTAL;
+}
+
+static inline double place(const Twin *w, const TwinParticle *p, int d)
+{
+    return is_total(w) ? p->X[d] : p->x[d];
+}
+
+/* Slopes of moving least squares: S (x_i - x) over 1/4 cell^2 of the quadratic spline, 1/3 of the
+ * cubic one (Hu et al. 2018), over its sum where a wall folds it; a tent has its own. */
+static inline void fit_slopes(const Twin *w, double x, Sight *s)
+{
+    const bool cubic = w->method.shape == TWIN_CUBIC;
+    double D = 0;
+    for (int k = 0; k < s->count; k++) D += s->S[k] * pow(s->first + k - x, 2);
+    if (s->count == 2 || D < 1e-9) return;
+    if (!cubic) D = 0.25;
+    if (cubic && fabs(D - 1 / 3.0) < 1e-9) D = 1 / 3.0;
+    for (int k = 0; k < s->count; k++) s->G[k] = s->S[k] * (s->first + k - x) / D * w->setup->cells;
+}
+
+static inline bool has_corners(const Twin *w)
+{
+    return w->method.shape == TWIN_CPDI || w->method.shape == TWIN_CPDI2;
+}
+
+/* The nodes about all corners. */
+static inline void look_at_corners(const Twin *w, const TwinParticle *p, Sight s[3])
+{
+    static const double I[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const double cells = w->setup->cells;
+    double F[DIM][DIM], corner[TWIN_CORNERS][DIM], x[DIM];
+    Corners *q = &s[0].corners;
+    for (int d = 0; d < DIM; d++) x[d] = place(w, p, d);
+    for (int a = 0; a < DIM; a++)
+        for (int b = 0; b < DIM; b++) F[a][b] = is_total(w) ? I[a][b] : p->F[a][b];
+    memcpy(corner, p->corner, sizeof corner);
+    if (w->method.shape == TWIN_CPDI)
+        place_corners(x, (const double(*)[DIM])F, w->half * w->h, corner);
+    for (int d = 0; d < DIM; d++) {
+        double lo = INFINITY, hi = -INFINITY;
+        for (int c = 0; c < TWIN_CORNERS; c++) {
+            const double y = corner[c][d] * cells;
+            q->y[c][d] = y, lo = fmin(lo, y), hi = fmax(hi, y);
+        }
+        s[d].first = (int)floor(lo);
+        s[d].count = (int)floor(hi) + 2 - s[d].first;
+    }
+    integrate(q, cells);
+}
+
 /* l = l0 |F_dd|, never quite zero. Axes that the dimension lacks have one node of weight 1. */
 static inline void look_around(const Twin *w, const TwinParticle *p, Sight s[3])
 {
-    for (int d = 0; d < DIM; d++)
-        look(w, d, p->x[d] * w->setup->cells, w->half * fmax(fabs(p->F[d][d]), 1e-6), &s[d]);
+    for (int d = 0; d < DIM; d++) {
+        const double stretch = is_total(w) ? 1 : fmax(fabs(p->F[d][d]), 1e-6);
+        const double x = place(w, p, d) * w->setup->cells;
+        look(w, d, x, w->half * stretch, &s[d]);
+        if (w->method.fitted) fit_slopes(w, x, &s[d]);
+    }
+    if (has_corners(w)) look_at_corners(w, p, s);
     for (int d = DIM; d < 3; d++) s[d] = (Sight){.count = 1, .S = {1}};
 }
 
@@ -119,7 +205,7 @@ static inline double spread(const Twin *w, const TwinParticle *p, const Sight s[
 {
     double D = 0;
     for (int k = 0; k < s[axis].count; k++)
-        D += s[axis].S[k] * pow(w->h * (s[axis].first + k) - p->x[axis], 2);
+        D += s[axis].S[k] * pow(w->h * (s[axis].first + k) - place(w, p, axis), 2);
     return D;
 }
 
@@ -165,6 +251,20 @@ static inline double kink_slope(const Twin *w, const Sight s[3], const int i[3],
     return total > 0 ? sum / total / w->h : 0;
 }
 
+/* S and G at the node at x. */
+static inline void add_corners(const Corners *q, const double x[DIM], double h, double *S,
+                               double G[DIM])
+{
+    double node[DIM];
+    *S = 0;
+    for (int d = 0; d < DIM; d++) G[d] = 0, node[d] = round(x[d] / h);
+    for (int c = 0; c < TWIN_CORNERS; c++) {
+        const double N = corner_tent(q->y[c], node);
+        *S += q->w[c] * N;
+        for (int d = 0; d < DIM; d++) G[d] += q->g[c][d] * N;
+    }
+}
+
 /* Node i of what a particle sees: its weight, gradient, position; NULL beyond the grid. */
 static inline TwinNode *node_of(const Twin *w, const Sight s[3], const int i[3], double *S,
                                 double G[DIM], double x[DIM])
@@ -175,6 +275,7 @@ static inline TwinNode *node_of(const Twin *w, const Sight s[3], const int i[3],
         x[d] = w->h * (s[d].first + i[d]);
         G[d] = s[d].kink ? kink_slope(w, s, i, d) : s[d].G[i[d]] * s[e].S[i[e]] * s[f].S[i[f]];
     }
+    if (has_corners(w)) add_corners(&s[0].corners, x, w->h, S, G);
     return node_at(w, s, i);
 }
 

@@ -80,7 +80,7 @@ try() { # COMMAND...: sets `result` to ok and seconds, or to FAILED
 rows() { # COMMAND-PREFIX...
     for words in "ring --method "{gimp,wls2,ge_wls,fem} "bar --method "{gimp,wls2}; do
         # shellcheck disable=SC2086 # words
-        "$@" build/mpmlab run $words --cells 8 --threads 1 | tail -n 1 | cut -d, -f1-17,21-
+        "$@" build/mpmlab run $words --cells 8 --threads 1 | tail -n 1 | cut -d, -f1-17,21-28
     done
 }
 agree() { # FILE FILE: the largest difference of their numbers, relative (absolute below 1e-10), or what else differs

@@ -9,18 +9,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+#include "common/base/stopwatch.h"
 #include "common/run/plan.h"
 #include "common/core/sim.h"
 #include "tests/textbook/textbook.h"
 #include "tests/tools/bare_loops.h"
-
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* 12 independent chains of the widest vectors that the compiler has for Line. */
 static double fma_gflops(void)
@@ -29,10 +22,10 @@ static double fma_gflops(void)
     Line x[CHAINS], a = {0}, b = {0};
     for (int l = 0; l < LANES; l++) a[l] = 0.999999, b[l] = 1e-6;
     for (int k = 0; k < CHAINS; k++) x[k] = b;
-    const double start = seconds();
+    const double start = stopwatch_cpu();
     for (int r = 0; r < ROUNDS; r++)
         for (int k = 0; k < CHAINS; k++) x[k] = x[k] * a + b;
-    const double spent = seconds() - start;
+    const double spent = stopwatch_cpu() - start;
     double sum = 0;
     for (int k = 0; k < CHAINS; k++) sum += x[k][0];
     return sum > 0 ? 2e-9 * (double)(LANES * CHAINS) * (double)ROUNDS / spent : 0;
@@ -45,9 +38,9 @@ static double copy_gbs(void)
     double *x = calloc(n, sizeof *x), best = 1e9;
     if (!x) return 0;
     for (int k = 0; k < 5; k++) {
-        const double start = seconds();
+        const double start = stopwatch_cpu();
         for (size_t i = 0; i < n; i++) x[i] = x[i] * 0.5 + 1;
-        const double spent = seconds() - start;
+        const double spent = stopwatch_cpu() - start;
         best = k && spent < best ? spent : best;
     }
     const double rate = 2e-9 * sizeof *x * (double)n / best;

@@ -64,20 +64,24 @@ value() { awk -v name="$1" '$1 == name { print $2 }' "$work/machine"; }
 twin=$(sort -g "$work/twin.ns" | awk 'NR == 1 { print $1 }')
 gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
 {
-    echo "case,particles,ns_best,ns_median,wall_best,instructions_avx2,ratio_to_gimp,ratio_to_twin"
+    echo "case,particles,ns_best,ns_median,wall_best,instructions_avx2,ratio_to_gimp,ratio_to_twin,integrator"
     for c in "${cases[@]}" "twin|" "bare-mls|" "bare-gimp|"; do
-        name=${c%%|*} n=65536 count=
-        [ "${c#*|}" = "" ] || n=$(pick particles <"$work/$name.row")
+        name=${c%%|*} n=65536 count='' integrator=-
+        if [ "${c#*|}" != "" ]; then
+            n=$(pick particles <"$work/$name.row")
+            integrator=$(pick integrator <"$work/$name.row")
+        fi
         case "$name" in gimp-* | *-3d | fem-* | twin | bare-*) ;; *) count=$(instructions "${c#*|} --set steps=4") ;; esac
-        sort -g "$work/$name.ns" | awk -v name="$name" -v n="$n" -v count="$count" -v gimp="$gimp" -v twin="$twin" '
+        sort -g "$work/$name.ns" | awk -v name="$name" -v n="$n" -v count="$count" -v gimp="$gimp" -v twin="$twin" \
+            -v integrator="$integrator" '
             { cpu[NR] = $1; if (NR == 1 || $2 < wall) wall = $2 }
-            END { printf "%s,%d,%.4g,%.4g,%.4g,%s,%.4g,%.4g\n", name, n, cpu[1], cpu[int((NR + 1) / 2)], wall, count,
-                  cpu[1] / gimp, cpu[1] / twin }'
+            END { printf "%s,%d,%.4g,%.4g,%.4g,%s,%.4g,%.4g,%s\n", name, n, cpu[1], cpu[int((NR + 1) / 2)], wall, count,
+                  cpu[1] / gimp, cpu[1] / twin, integrator }'
     done
     # what the machine could do at best: about 500 flops and 350 bytes a particle-step of GIMP in 2D
     awk -v fma="$(value fma_gflops)" -v gbs="$(value copy_gbs)" -v gimp="$gimp" -v twin="$twin" 'BEGIN {
-        printf "bound-flops,65536,%.4g,,,,%.4g,%.4g\n", 500 / fma, 500 / fma / gimp, 500 / fma / twin
-        printf "bound-bytes,65536,%.4g,,,,%.4g,%.4g\n", 350 / gbs, 350 / gbs / gimp, 350 / gbs / twin }'
+        printf "bound-flops,65536,%.4g,,,,%.4g,%.4g,-\n", 500 / fma, 500 / fma / gimp, 500 / fma / twin
+        printf "bound-bytes,65536,%.4g,,,,%.4g,%.4g,-\n", 350 / gbs, 350 / gbs / gimp, 350 / gbs / twin }'
 } >"$work/t_03_speed.csv"
 mv "$work/t_03_speed.csv" "$OUT/t_03_speed.csv" || exit 1
 column -s, -t "$OUT/t_03_speed.csv" 2>/dev/null || cat "$OUT/t_03_speed.csv"

@@ -80,8 +80,8 @@ if [ -d "$BUILD/gcc/d2" ]; then
         core=$BUILD/gcc/d$d/common/core
         stages "$core/mirror.o" 2 # visits, once a line of symmetry
         stages "$core/solve.o" 1  # repair
-        stages "$core/deposit.o" 14 # width and shapes thrice (filters, particles on nodes), payload, body force, assemble; distance
-        stages "$core/gather.o" 11  # width and shapes thrice (filters, first moments), update (one call, two sites by gcc)
+        stages "$core/deposit.o" 18 # width and shapes thrice (filters, particles on nodes), lists, payload, body force, assemble; distance
+        stages "$core/gather.o" 21  # width, shapes and lists five times (filters, first moments, hand-over), reach, update
     done
 fi
 

@@ -14,8 +14,8 @@ comparable() {
         head -n 1 "$1"
     elif [[ $1 == *.points.csv ]]; then
         cut -d, -f 1-8,11,14,16 "$1"
-    elif head -n 1 "$1" | grep -q ',cpu_s,wall_s,ns_per_particle_step$'; then
-        sed 's/\(,[^,]*\)\{3\}$//' "$1"
+    elif head -n 1 "$1" | grep -q ',cpu_s,wall_s,ns_per_particle_step,wall_run_s$'; then
+        sed 's/\(,[^,]*\)\{4\}$//' "$1"
     else
         cat "$1"
     fi
@@ -38,7 +38,7 @@ echo "two clean builds: $tables tables, $differ differ"
 # run THREADS PROBLEM METHOD: row without timings, and the particles' checksum
 run() {
     OMP_WAIT_POLICY=passive "$program" run "$2" --method "$3" --threads "$1" --set steps=40 \
-        --particles "$work/particles.csv" 2>/dev/null | tail -n 1 | cut -d, -f 1-17,21-
+        --particles "$work/particles.csv" 2>/dev/null | tail -n 1 | cut -d, -f 1-17,21-28
     [ ! -e "$work/particles.csv" ] || cksum <"$work/particles.csv"
     rm -f "$work/particles.csv"
 }

@@ -1,0 +1,19 @@
+/* stash.c: see stash.h. */
+#include "stash.h"
+
+void stash_bytes(Stash *s, void *at, size_t n)
+{
+    if (s->bad || n == 0) return;
+    if (s->load)
+        s->bad = fread(at, 1, n, s->f) != n;
+    else
+        s->bad = fwrite(at, 1, n, s->f) != n;
+}
+
+bool stash_same(Stash *s, long number)
+{
+    long other = number;
+    STASH(s, other);
+    s->bad = s->bad || other != number;
+    return !s->bad;
+}

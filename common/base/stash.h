@@ -1,0 +1,24 @@
+/* stash.h: what a run changes from step to step, as bytes: out to a stream and in again, by one
+ * function for both ways, so that they cannot differ. */
+#ifndef MPMLAB_STASH_H
+#define MPMLAB_STASH_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+typedef struct Stash {
+    FILE *f;
+    bool load; /* bytes come in, else they go out */
+    bool bad;  /* a read or write failed: what was read since is not to be used */
+} Stash;
+
+/* Writes n bytes at `at`, or reads them there. */
+void stash_bytes(Stash *s, void *at, size_t n);
+
+/* A number that the other side must have, too: an array's length. False if it has another. */
+bool stash_same(Stash *s, long number);
+
+#define STASH(s, object) stash_bytes((s), &(object), sizeof(object))
+
+#endif

@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# resume.sh PROGRAM FOLDER: runs that are killed go on from their checkpoint to the bits of the whole run: the row
+# without its timings, history and particles. Torn and foreign checkpoints. Writes below FOLDER only.
+set -u
+# shellcheck source=tests/cli/checks.sh
+source "$(dirname "$0")/checks.sh"
+program=$(realpath "$1")
+mkdir -p "$2"
+work=$(mktemp -d "$(realpath "$2")/resume.XXXXXX")
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
+cd "$work" || exit 1
+export OMP_WAIT_POLICY=passive
+
+# outcome NAME ARGUMENT...: runs it; leaves NAME.row, NAME.history, NAME.particles.
+outcome() {
+    local name=$1
+    shift
+    "$program" run "$@" --quiet --history "$name.history" --particles "$name.particles" >out 2>err
+    status=$?
+    timeless out >"$name.row"
+}
+alike() { cmp -s "$1.row" "$2.row" && cmp -s "$1.history" "$2.history" && cmp -s "$1.particles" "$2.particles"; }
+
+# killed ARGUMENT...: by SIGKILL once there is a checkpoint that has one before it.
+killed() {
+    rm -f state state.1 part.history
+    "$program" run "$@" --quiet --history part.history --checkpoint state --every-s 1e-9 >/dev/null 2>err &
+    while [ ! -e state.1 ] && kill -0 $!; do :; done
+    kill -KILL $!
+    wait $!
+} 2>/dev/null
+
+kills=0
+while read -r words; do
+    # shellcheck disable=SC2086
+    outcome whole $words
+    ok "$words: $(cat err)" test $status -eq 0
+    # shellcheck disable=SC2086
+    killed $words
+    ok "killed $words: a checkpoint" test -s state
+    [ -e part.history ] || kills=$((kills + 1))
+    # shellcheck disable=SC2086
+    outcome resumed $words --resume state --threads 2
+    ok "resumed $words: $(cat err)" alike whole resumed
+done <<'END'
+bar --t-end .01
+bar --method mpm --integrator musl --t-end .01
+sine_bar --method wls2
+ring --cells 12 --method wls2 --then gimp --at .004
+ring --cells 12 --method wls --then ge_gimp --at .018
+ring --cells 16 --method fem
+hanging_bar --cells 8 --method ge_gimp
+disk_impact --cells 12 --method ge_wls --set steps=80
+vortex --cells 10 --method apic
+axis_mms --cells 12 --method fmpm
+cantilever --cells 6 --method wls2 --set steps=80
+shell --cells 6 --method wls
+shell --cells 6 --method fem
+free_block --cells 8 --set dim=3 --method bspline
+free_block --cells 16 --method gimp --integrator usf
+sliding_block --cells 8 --set mu=0.1 --method gimp+apic
+two_disks --method wls2 --t-end .8
+collinear_bars --method cpdi2 --cells 50
+END
+ok "most were killed before their end: $kills of 18" test $kills -gt 7
+
+# The newest is torn, missing, another run's, another program's or none
+words="ring --cells 12 --method gimp"
+# shellcheck disable=SC2086
+outcome whole $words
+# shellcheck disable=SC2086
+killed $words
+cp state newest
+cp state.1 second
+head -c 3000 newest >state
+run run $words --resume state --history resumed.history --particles resumed.particles
+timeless out >resumed.row
+ok "torn: the one before" alike whole resumed
+ok "torn: says so: $(cat err)" grep -qx 'mpmlab: state is no whole checkpoint; resumed from state.1' err
+rm state
+# shellcheck disable=SC2086
+outcome resumed $words --resume state
+ok "missing: the one before" alike whole resumed
+head -c 3000 newest >state
+head -c 2000 newest >state.1
+refused "both torn" 2 "no whole checkpoint, and state.1 is no whole checkpoint" run $words --resume state
+cp newest state
+refused "another run's" 2 "a checkpoint of another run: run ring" run ring --cells 13 --resume state
+refused "another run's method" 2 "a checkpoint of another run" run ring --cells 12 --method mpm --resume state
+sed '2s/^......../00000000/' newest >body
+bytes=$(($(stat -c %s body) - 9))
+head -c $bytes body >state
+python3 -c "import zlib, sys; print('%08x' % zlib.crc32(open(sys.argv[1], 'rb').read()))" state >sum && cat sum >>state
+refused "another program's" 2 "another build" run $words --resume state
+byte=$((RANDOM % bytes))
+{ head -c $byte newest; tail -c +$((byte + 1)) newest | head -c 1 | tr '\000-\377' '\001-\377\000'; tail -c +$((byte + 2)) newest; } >state
+cp second state.1
+# shellcheck disable=SC2086
+outcome resumed $words --resume state
+ok "byte $byte changed: the one before" alike whole resumed
+"$program" run $words --checkpoint bare --every-s 1e-9 >/dev/null 2>&1
+refused "a checkpoint without history" 2 "lacks" run $words --resume bare --history resumed.history
+
+# Told to stop, a run leaves a checkpoint, and snapshots go on
+words="bar --t-end .2"
+"$program" run $words --vtk shots --every 2000 >out 2>err
+(cd shots && sha256sum -- *) >whole.sums
+rm -rf shots
+"$program" run $words --vtk shots --every 2000 --history part.history --checkpoint state >out 2>err &
+while [ ! -e shots ] && kill -0 $!; do :; done
+kill -TERM $!
+wait $!
+status=$?
+ok "told to stop: $(cat err)" test $status -eq 130 -a -s state
+# shellcheck disable=SC2086
+outcome whole $words
+"$program" run $words --vtk shots --every 2000 --resume state --checkpoint state --history resumed.history \
+    --particles resumed.particles >out 2>err
+timeless out >resumed.row
+ok "resumed: $(cat err)" alike whole resumed
+ok "its snapshots" bash -c 'cd shots && sha256sum --quiet -c ../whole.sums'
+# A kill between naming a file and renaming it leaves state.PID.tmp, which no run reads.
+ok "nothing else half written is left" test -z "$(find . -name '*.tmp' ! -name 'state.*')"
+verdict
