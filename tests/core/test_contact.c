@@ -72,7 +72,7 @@ static End *end_of(const Rig *r, int steps, double *drift)
         for (int c = 0; c < NMAT; c++) e->F[c][id] = q.F[c][s];
     }
     particle_solver.impulse(core, e->impulse);
-    e->friction = particle_solver.friction(core);
+    e->friction = particle_solver.work(core);
     particle_solver.free(core);
     return e;
 }
