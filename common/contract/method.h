@@ -103,7 +103,7 @@ typedef struct NodeList {
     Field N[MAX_LIST], S[MAX_LIST], G[DIM][MAX_LIST];
 } NodeList;
 
-/* What such a method knows of the grid. Positions in cells count from node 0. */
+/* The grid as `list` sees it. Positions in cells count from node 0. */
 typedef struct Place {
     int cells;             /* per unit length */
     int origin[DIM];       /* node 0 lies at x = origin/cells */
