@@ -21,8 +21,8 @@ static void cases(Cases *list, bool quick)
                          (*m)->name, meshes[k], bodies[b]);
 }
 
-/* NAME.edges.csv: body,method,status,finest,order,fallbacks: error on the finest mesh and order in
- * h. */
+/* NAME.edges.csv: body,method,status,error,order,fallbacks,meshes: error on the finest mesh, order
+ * in h over all meshes. */
 static void write_edges(FILE *f, const Table *rows)
 {
     for (int b = 0; b < BODIES; b++)

@@ -64,8 +64,8 @@ static void cases(Cases *list, bool quick)
                     if (has_variant(*m, v)) add(list, s, *m, k, v, quick);
 }
 
-/* Rows of a method on all meshes of a scene: most that the ledger gained and lost; how many runs
- * were lost, of n. */
+/* A method on all meshes of a scene: the largest gain and loss of the ledger, and how many of n
+ * runs were lost. */
 typedef struct Long {
     double gain, loss;
     int lost, n;

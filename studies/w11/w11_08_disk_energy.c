@@ -116,17 +116,18 @@ static void check(Check *c, const Results *r)
     check_one(c, r, "wls2", "WLS2", 0.994, 1.006);
     check_one(c, r, "gimp", "GIMP", 0.970, 0.980);
     claim(c, "W11-8.towards-wls",
-          "Disk, WLS:  the velocity towards the wall vanishes in the impact: its momentum over the "
+          "Disk, WLS: the velocity towards the wall vanishes in the impact: its momentum over the "
           "start's when the kinetic energy is least",
           momentum_left(r, "wls", "py"), -0.15, 0.15);
     claim(c, "W11-8.along-wls",
-          "Disk, WLS:  the velocity along the wall stays: its momentum over the start's when the "
+          "Disk, WLS: the velocity along the wall stays: its momentum over the start's when the "
           "kinetic energy is least",
           momentum_left(r, "wls", "px"), 0.97, 1.03);
-    claim(c, "W11-8.smooth-wls", "Disk, WLS:  no jumps: largest change of energy in a step over E0",
+    claim(c, "W11-8.smooth-wls",
+          "Disk, WLS: no jumps: largest change of the total energy in one step over E0",
           largest_jump(r, "wls"), 0, 0.003);
     claim(c, "W11-8.smooth-gimp",
-          "Disk, GIMP:  no jumps: largest change of energy in a step over E0",
+          "Disk, GIMP: no jumps: largest change of the total energy in one step over E0",
           largest_jump(r, "gimp"), 0, 0.003);
     claim(
         c, "W11-8.unilateral",
