@@ -106,7 +106,7 @@ typedef struct NodeList {
     int cells;               /* per unit length, for an update that asks */
 } NodeList;
 
-/* What such a method knows of the grid. Positions in cells count from node 0. */
+/* The grid as `list` sees it. Positions in cells count from node 0. */
 typedef struct Place {
     int cells;             /* per unit length */
     int origin[DIM];       /* node 0 lies at x = origin/cells */

@@ -123,9 +123,9 @@ struct Scene {
     double k[MAX_DERIVED]; /* constants derived by init, for the problem's own use */
 };
 
-/* The error scale of a scene whose exact motion has this amplitude. Without motion there is none: a
- * body that rests can not be wrong, so that an error of 0 would say nothing, and errors relative to
- * the amplitude are 0/0. The error columns of such a run are empty. */
+/* The error scale of a scene whose exact motion has this amplitude; NAN without motion, which
+ * leaves the error columns empty: an error of 0 of a body at rest would mean nothing, and relative
+ * to the amplitude it is 0/0. */
 static inline double scale_of_motion(double amplitude, double scale)
 {
     return fabs(amplitude) > 0 ? fabs(scale) : NAN;

@@ -107,7 +107,8 @@ typedef struct Solver {
      * a mesh, whose points are no particles. NULL and a fault as make. */
     void *(*take_over)(const Setup *setup, void *self, Fault *fault);
 
-    /* Everything that steps change, out or in: the steps that follow have the same bits. */
+    /* Writes or reads everything that steps change, so that the steps that follow have the same
+     * bits. */
     void (*stash)(void *self, Stash *s);
 
     void (*free)(void *self);
