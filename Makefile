@@ -96,15 +96,11 @@ QUICK =
 figures: ## all studies, claims and build/out/index.html: 20 minutes on 2 cores; with QUICK=--quick: 2
 	@$(MAKE) --no-print-directory -j$(JOBS) all
 	$(BUILD)/mpmlab study all $(QUICK) --jobs $(JOBS)
-	$(if $(QUICK),,$(BUILD)/mpmlab claims)
+	$(if $(QUICK),,$(BUILD)/mpmlab claims && bash tests/tools/reach_table.sh $(BUILD)/out >$(BUILD)/out/reach.md)
 
 # The tests write below build/ only; CUnit's summary comes last.
-CLI_TEST    = bash tests/cli/cli.sh $(BUILD)/mpmlab $(BUILD)/tests
-SWEEP_TEST  = bash tests/cli/sweep.sh $(BUILD)/mpmlab $(BUILD)/tests
 UNIT_TESTS  = $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem \
               $(BUILD)/tests/wls $(BUILD)/tests/scenes
-WRONG_TEST  = bash tests/cli/wrong_inputs.sh $(BUILD)/mpmlab $(BUILD)/tests
-FAULT_TEST  = bash tests/cli/faults.sh $(BUILD)/mpmlab $(BUILD)/tests
 FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/fuzz/%.o,fuzz_run fuzz_sweep fuzz_files fuzz_tools)
 CORE_DIMS   = 1 2 3
 TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_filter textbook_make)
@@ -131,29 +127,30 @@ endef
 $(foreach d,$(CORE_DIMS),$(eval $(call dimension_tests,core_$(d)d,$(d))))
 $(foreach p,fem wls scenes,$(eval $(call dimension_tests,$(p),2)))
 
-RUN_UNITS = for t in $(UNIT_TESTS); do \
-  (cd $(BUILD)/tests && OMP_WAIT_POLICY=passive $(CURDIR)/$$t) || exit 1; done
+# Each test prints as a whole when it has ended, $(JOBS) at once; those of CUnit come last.
+AT_ONCE     = @$(MAKE) --no-print-directory --output-sync=target -j$(JOBS)
+QUICK_TESTS = cli sweep wrong_inputs
+SHELL_TESTS = example $(QUICK_TESTS) faults resume install cluster page
+RUN_SHELL   = $(SHELL_TESTS:%=run-%)
+RUN_UNIT    = $(UNIT_TESTS:$(BUILD)/tests/%=run-%)
 
 test: ## every test
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
-	$(CLI_TEST)
-	$(SWEEP_TEST)
-	bash tests/cli/example.sh $(BUILD)/example
-	$(WRONG_TEST)
-	$(FAULT_TEST)
-	bash tests/cli/resume.sh $(BUILD)/mpmlab $(BUILD)/tests
-	bash tests/cli/install.sh $(BUILD) $(BUILD)/tests
-	bash tests/cli/cluster.sh $(BUILD)/mpmlab $(BUILD)/tests
-	bash tests/studies/page.sh $(BUILD)/mpmlab $(BUILD)/tests
-	@$(RUN_UNITS)
+	$(AT_ONCE) $(RUN_SHELL)
+	bash tests/tools/reach_table.sh --check README.md $(BUILD)/out
+	$(AT_ONCE) $(RUN_UNIT)
 
 # Those of the program's own code, for sanitizers.
 quick: ## the tests of the program itself, without installation and examples
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
-	$(CLI_TEST)
-	$(SWEEP_TEST)
-	$(WRONG_TEST)
-	@$(RUN_UNITS)
+	$(AT_ONCE) $(QUICK_TESTS:%=run-%)
+	$(AT_ONCE) $(RUN_UNIT)
+
+.PHONY: $(RUN_SHELL) $(RUN_UNIT)
+$(RUN_SHELL): run-%:
+	bash $(wildcard tests/*/$*.sh) $(if $(filter example,$*),$(BUILD)/example,$(if $(filter install,$*),$(BUILD),$(BUILD)/mpmlab) $(BUILD)/tests)
+$(RUN_UNIT): run-%:
+	@mkdir -p $(BUILD)/tests/run/$* && cd $(BUILD)/tests/run/$* && OMP_WAIT_POLICY=passive $(CURDIR)/$(BUILD)/tests/$*
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
 bench: all $(BUILD)/tests/bench ## speed: figure T-3, and instructions if valgrind is installed
@@ -187,7 +184,7 @@ builds repeat memcheck coverage: ## portable builds; results twice; valgrind; li
 
 # All faults, a hundred kills among them (minutes).
 faults: all ## a full and a read-only disk, a hundred kills
-	$(FAULT_TEST) 100 long
+	bash tests/cli/faults.sh $(BUILD)/mpmlab $(BUILD)/tests 100 long
 
 # Bytes that break a property of what reads input: SECONDS for each; corpora stay in build/fuzz.
 FUZZERS = run set case journal table append sweep

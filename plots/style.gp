@@ -1,12 +1,14 @@
-# style.gp: what all figures share. The caller sets fmt (svg, png), out, dir, name, csv and plots; a script
+# style.gp: what all figures share. The caller sets fmt (svg, png, page.png), out, dir, name, csv and plots; a script
 # may set `tall` (height over the usual) before it loads this.
 if (!exists('tall')) tall = 1
 set encoding utf8
 if (fmt eq 'png') {
     set terminal pngcairo size 1400,int(950 * tall) font 'DejaVu Sans,18' enhanced linewidth 1.4 background '#ffffff'
+} else { if (fmt eq 'page.png') { # in the pixels that the page shows
+    set terminal pngcairo size 933,int(633 * tall) font 'DejaVu Sans,12' enhanced background '#ffffff'
 } else {
     set terminal svg size 933,int(633 * tall) dynamic font 'DejaVu Sans,12' enhanced name name background '#ffffff'
-}
+}}
 set output out
 set datafile separator ','
 

@@ -68,7 +68,7 @@ static int split(char *text, char ***entries)
     return n;
 }
 
-/* Copies the entries of split() into t; every record must have as many cells as the first. */
+/* Puts the entries of split() into t; every record must have as many cells as the first. */
 static int fill(Table *t, char **entries, int n)
 {
     for (t->ncol = 0; t->ncol < n && entries[t->ncol];) t->ncol++;
@@ -80,7 +80,7 @@ static int fill(Table *t, char **entries, int n)
     for (int k = 0; k < n; k++) {
         int ends = k % (t->ncol + 1) == t->ncol;
         if (ends != (entries[k] == NULL)) return -1;
-        if (!ends && !(t->name[k - k / (t->ncol + 1)] = strdup(entries[k]))) return -1;
+        if (!ends) t->name[k - k / (t->ncol + 1)] = entries[k];
     }
     return 0;
 }
@@ -96,23 +96,26 @@ Table *table_read(const char *path, Fault *fault)
         return NULL;
     }
     Table *t = calloc(1, sizeof *t);
-    int n = t ? split(text, &entries) : -1;
-    if (t && (n < 0 || fill(t, entries, n) != 0)) {
+    if (!t) {
+        free(text);
+        return NULL;
+    }
+    t->text = text;
+    const int n = split(text, &entries);
+    if (n < 0 || fill(t, entries, n) != 0) {
         fault_set(fault, FAULT_MACHINE, "%s: not a CSV table with equally long lines", path);
         table_free(t);
         t = NULL;
     }
     free(entries);
-    free(text);
     return t;
 }
 
 void table_free(Table *t)
 {
     if (!t) return;
-    if (t->name)
-        for (int k = 0; k < t->ncol * (t->nrow + 1); k++) free(t->name[k]);
-    free(t->name); /* cell is the rest of the same array */
+    free(t->name);
+    free(t->text);
     free(t);
 }
 

@@ -5,11 +5,13 @@
 #include <stdio.h>
 #include "fault.h"
 
-/* Text cells, row-major; owns everything. Cells may be quoted in the file (RFC 4180). */
+/* Text cells, row-major, which lie in the text of the file. Cells may be quoted there (RFC 4180).
+ */
 typedef struct Table {
     int ncol, nrow;
     char **name; /* [ncol] */
     char **cell; /* [nrow * ncol] */
+    char *text;  /* owned, as name is (cell is the rest of that array) */
 } Table;
 
 /* Reads a CSV file with a header line. NULL and a fault if it cannot be read or is ragged. */

@@ -125,7 +125,7 @@ void gather_start_moments(Sim *sim)
 void gather_gradient(Sim *sim, double *const L[NMAT], double *const D[DIM])
 {
     Work w;
-    for (int k = 0; k < sim->p.n / CHUNK; k++) {
+    for (int k = 0; k * CHUNK < sim->p.n; k++) {
         const Chunk c = sim_chunk(sim, k);
         const int width = sim->method.list ? 0 : make_stencils(sim, &c, &w), at = k * CHUNK;
         if (!width) make_list(sim, &c, &w);

@@ -193,13 +193,25 @@ static bool take_particles(Sim *to, const Sim *from, const Affine state[], int m
     return same;
 }
 
+/* Particles that were never sorted fill no whole chunks. Returns the slots of those that they are
+ * part of; what stands behind the last particle becomes its copy. */
+static int whole_chunks(Particles *p)
+{
+    int n = p->n;
+    for (; n % CHUNK; n++)
+        for (int f = 0; f < FIELDS; f++)
+            if (p->field[f]) p->field[f][n] = p->field[f][p->n - 1];
+    return n;
+}
+
 /* L of the particles mine[k] with the turns of theirs[k]. False: out of memory. */
 static bool turn_gradients(Sim *to, const Affine state[], const int mine[], const int theirs[],
                            int n)
 {
-    double *room = malloc(sizeof(double) * DIM * (size_t)to->p.n), *D[DIM];
+    const size_t slots = (size_t)whole_chunks(&to->p);
+    double *room = malloc(sizeof(double) * DIM * slots), *D[DIM];
     if (!room) return false;
-    for (int d = 0; d < DIM; d++) D[d] = room + (size_t)d * (size_t)to->p.n;
+    for (int d = 0; d < DIM; d++) D[d] = room + (size_t)d * slots;
     gather_gradient(to, NULL, D);
     for (int k = 0; k < n; k++) {
         Affine s = state[theirs[k]];

@@ -1,7 +1,7 @@
 # The disk through two impacts, moving: its strain energy, and where its energy is.
 load plots.'/viridis.gp'
 load dir.'/'.name.'.var'
-set terminal gif animate delay 12 loop 0 optimize size 720,345 font 'DejaVuSans,9' background '#ffffff'
+set terminal gif animate delay 18 loop 0 optimize size 720,345 font 'DejaVuSans,9' background '#ffffff'
 set output out
 set datafile separator ','
 history = dir.'/'.name.'.wls2.csv'
@@ -13,7 +13,7 @@ set tics nomirror out scale 0.6,0.3 textcolor rgb '#333333'
 set cbrange [0:80]
 stats [*:*][*:*] frames using 't' nooutput
 last = STATS_records - 1
-do for [k = 0:last:2] {
+do for [k = 0:last:3] {
     stats [*:*][*:*] frames using 't' every ::k::k nooutput
     now = STATS_max
     set multiplot

@@ -15,12 +15,17 @@
 #include "studies/phrase.h"
 #include "studies/runs/must.h"
 
-/* A figure is drawn as svg and png by NAME.gp; a moving picture by NAME.gif.gp, if there is one. */
+/* A figure is drawn as svg and png by NAME.gp, and once more in fewer pixels for the page of claims
+ * if its svg has many bytes; a moving picture by NAME.gif.gp, if there is one. */
 static const struct {
     const char *name, *script;
-    int always;
-} formats[] = {{"svg", ".gp", 1}, {"png", ".gp", 1}, {"gif", ".gif.gp", 0}};
-enum { FORMATS = 3 };
+    bool always;
+    long svg_bytes; /* of a drawing, from which on it is due */
+} formats[] = {{"svg", ".gp", true, 0},
+               {"png", ".gp", true, 0},
+               {"page.png", ".gp", false, 200000},
+               {"gif", ".gif.gp", false, 0}};
+enum { FORMATS = 4 };
 
 const char *plot_folder(void)
 {
@@ -126,7 +131,11 @@ static bool is_due(const Study *study, const char *dir, const char *plots, int k
     const double inputs =
         fmax(fmax(script, age(plots, "style", ".gp")), newest_input(dir, study->name));
     const bool fresh = age(dir, study->name, phrase(".%s", formats[k].name)) > inputs;
-    return (script > 0 || formats[k].always) && !fresh;
+    struct stat svg;
+    const bool small = formats[k].svg_bytes &&
+                       stat(phrase("%s/%s.svg", dir, study->name), &svg) == 0 &&
+                       svg.st_size < formats[k].svg_bytes;
+    return (script > 0 || formats[k].always) && !fresh && !small;
 }
 
 int plot_study(const Study *study, const char *dir, Fault *fault)

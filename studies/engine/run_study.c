@@ -94,7 +94,7 @@ static int run_locked(const Study *study, const StudyOptions *o, Cases *cases, J
 /* What a study leaves beside its journal must find its place before the runs begin. */
 static int check_files(const Study *study, const Cases *cases, const char *dir, Fault *fault)
 {
-    static const char *const endings[] = {"csv", "json", "var", "svg", "png"};
+    static const char *const endings[] = {"csv", "json", "var", "svg", "png", "page.png"};
     int code = 0;
     for (size_t k = 0; k < sizeof endings / sizeof *endings && code == 0; k++) {
         char *path = must_text("%s/%s.%s", dir, study->name, endings[k]);

@@ -106,15 +106,25 @@ static json_t *time_steps(const Digest *d)
                      definition);
 }
 
+/* "AMD EPYC 7571" as the system names the processor; null where it does not. */
+static json_t *processor(void)
+{
+    char line[256], name[256] = "";
+    FILE *f = fopen("/proc/cpuinfo", "r");
+    while (f && !*name && fgets(line, sizeof line, f)) sscanf(line, "model name : %255[^\n]", name);
+    if (f) fclose(f);
+    return *name ? json_string(name) : json_null();
+}
+
 static json_t *describe(const Study *study, const Cases *cases, const Table *t)
 {
     Digest d = digest(t);
-    return json_pack("{ss ss ss ss ss ss ss so so si so so so}", "study", study->name, "figure",
+    return json_pack("{ss ss ss ss ss ss so ss so so si so so so}", "study", study->name, "figure",
                      study->figure, "about", study->about, "version", FACT_VERSION, "compiler",
-                     FACT_COMPILER, "flags", FACT_FLAGS, "sources", FACT_SOURCES, "dt",
-                     time_steps(&d), "seconds", number(d.seconds), "rows", t->nrow, "checksum",
-                     hex(d.sum), "inputs_checksum", hex(cases_checksum(cases)), "inputs",
-                     inputs(cases));
+                     FACT_COMPILER, "flags", FACT_FLAGS, "processor", processor(), "sources",
+                     FACT_SOURCES, "dt", time_steps(&d), "seconds", number(d.seconds), "rows",
+                     t->nrow, "checksum", hex(d.sum), "inputs_checksum", hex(cases_checksum(cases)),
+                     "inputs", inputs(cases));
 }
 
 int sidecar_write(const Study *study, const Cases *cases, const char *dir, Fault *fault)

@@ -1,8 +1,8 @@
 /* t_02_work_precision.c: speed against error: what accuracy costs, for every method and FEM with
  * their sensible options, on every problem that has an exact solution.
  *
- * Cost is the CPU time of the step loop alone (cpu_s of a row), best of three runs that lie apart:
- * all cases once, then all again, so that a slow spell of the machine hits none of them thrice.
+ * Cost is the CPU time of the step loop alone (cpu_s of a row), best of two runs that lie apart:
+ * all cases once, then all again, so that a slow spell of the machine hits none of them twice.
  * Beside it stand counts that no machine changes: particle-steps (FEM: element-steps), and
  * instructions where `make bench` has counted those of one particle-step. Schemes that studies run
  * on request have their defaults only, in both layouts. Claims are ratios of costs within one run.
@@ -14,7 +14,7 @@
 #include "studies/runs/engines.h"
 #include "studies/runs/run_args.h"
 
-enum { REPEATS = 3, PPCS = 3, MOST_MESHES = 8, USUAL = 1, INTEGRATORS = 5 };
+enum { REPEATS = 2, PPCS = 3, MOST_MESHES = 8, USUAL = 1, INTEGRATORS = 5 };
 static const char *const integrators[INTEGRATORS] = {"cd", "usl", "musl", "uvf", "usf"};
 
 typedef struct Ladder {
@@ -183,12 +183,12 @@ static void check(Check *c, const Results *r)
     const Table *t = results_part(r, "reach");
     const Reach bar = {t, "sine_bar", "0.001"}, ring = {t, "ring", "0.001"};
     claim(c, "T-2.bar-ge-steps",
-          "sine bar to 1e-3: particle-steps of GIMP over GE-GIMP's, each at its best",
+          "Sine bar to 1e-3: particle-steps of GIMP over GE-GIMP's, each at its best",
           ratio(&bar, "gimp", "ge_gimp", "work"), 1.2, 3);
     claim(c, "T-2.bar-ge-time",
-          "sine bar to 1e-3: CPU time of GIMP over GE-GIMP's, each at its best",
+          "Sine bar to 1e-3: CPU time of GIMP over GE-GIMP's, each at its best",
           ratio(&bar, "gimp", "ge_gimp", "seconds"), 1, 4);
-    claim(c, "T-2.ring-fem", "ring to 1e-3: CPU time of GIMP at its best over FEM's",
+    claim(c, "T-2.ring-fem", "Ring to 1e-3: CPU time of GIMP at its best over FEM's",
           ratio(&ring, "gimp", "fem", "seconds"), 3, 100);
     claim(c, "T-2.cpdi-time", "ring, 32 cells, same particles: CPU time of CPDI over GIMP's",
           measure_ratio(at_ring(r, "cpdi", "cpu_s"), at_ring(r, "gimp", "cpu_s")), 0.5, 3);

@@ -225,14 +225,14 @@ static Measure same_ratio(const Table *same, int cells, const char *particles, c
 
 static void check_tables(Check *c, const Table *t, const Table *same)
 {
-    claim(c, "T-6.gimp-order", "ring: the norm decides GIMP's order: largest less least of six",
+    claim(c, "T-6.gimp-order", "Ring: the norm decides GIMP's order: largest less least of six",
           order_spread(t, "ring", "gimp"), 0.2, 0.5);
-    claim(c, "T-6.fem-order", "ring: FEM is of second order in all six: largest less least",
+    claim(c, "T-6.fem-order", "Ring: FEM is of second order in all six: largest less least",
           order_spread(t, "ring", "fem"), 0, 0.25);
-    claim(c, "T-6.bar-order", "sine bar, smooth: GIMP's orders differ by hardly anything",
+    claim(c, "T-6.bar-order", "Sine bar, smooth: GIMP's orders differ by hardly anything",
           order_spread(t, "sine_bar", "gimp"), 0, 0.05);
     claim(c, "T-6.axis-fem-order",
-          "axis-aligned displacement: FEM is of second order in all six: largest less least",
+          "Axis-aligned displacement: FEM is of second order in all six: largest less least",
           order_spread(t, "axis_mms", "fem"), 0, 0.25);
     claim(c, "T-6.vortex-fem-order",
           "Vortex: FEM is of second order in all six norms: largest less least order",
@@ -241,7 +241,7 @@ static void check_tables(Check *c, const Table *t, const Table *same)
           "Axis-aligned displacement, smooth: GIMP is of second order: order of the largest error",
           norm(t, "axis_mms", "gimp", 0, "order"), 1.8, 2.2);
     claim(c, "T-6.ratio",
-          "ring, N = 32: GIMP's error over FEM's: the largest ratio of six over the least",
+          "Ring, N = 32: GIMP's error over FEM's: the largest ratio of six over the least",
           ratio_spread(t), 3, 6);
     claim(c, "T-6.same-32", "GIMP's largest error over FEM's, N = 32, all points of each",
           same_ratio(same, 32, "all", "fem_all"), 15, 30);

@@ -32,18 +32,45 @@ static void put_base64(FILE *out, FILE *in)
     }
 }
 
-/* A drawing as the text of a URL in single quotes, its white space drawn together: a third shorter
- * than base64. */
+/* Where in a drawing a character stands. */
+typedef struct Place {
+    bool in_tag, quoted, blank; /* blank: white space was before it */
+    int before;                 /* the last character kept */
+    int decimals;               /* of the number, that were kept; -1: before its point */
+} Place;
+
+/* Is the second decimal of a coordinate: less than a tenth of a pixel. */
+static bool is_too_exact(Place *at, int c)
+{
+    if (!isdigit(c) || !at->quoted) at->decimals = c == '.' && isdigit(at->before) ? 0 : -1;
+    return isdigit(c) && at->decimals >= 0 && at->decimals++ > 0;
+}
+
+/* Does white space say nothing here: between tags, behind a bracket or comma, before a command of
+ * a path? */
+static bool is_idle_blank(const Place *at, int c)
+{
+    return at->quoted ? strchr("(,\"", at->before) || (strchr("MLlhvz", c) && isdigit(at->before))
+                      : strchr("<>\"", at->before) && strchr("</>", c);
+}
+
+/* A drawing as the text of a URL in single quotes, without what no reader sees. */
 static void put_drawing(FILE *out, FILE *in)
 {
-    bool blank = false;
+    Place at = {.before = '>', .decimals = -1};
     for (int c; (c = getc(in)) != EOF;) {
         if (isspace(c)) {
-            blank = true;
+            at.blank = true;
+            at.decimals = -1;
             continue;
         }
-        if (blank) putc(' ', out);
-        blank = false;
+        if (c == '\'' && at.in_tag) c = '"';
+        if (at.in_tag && is_too_exact(&at, c)) continue;
+        if (at.blank && !is_idle_blank(&at, c)) putc(' ', out);
+        at.blank = false;
+        at.in_tag = c == '<' || (at.in_tag && c != '>');
+        at.quoted = at.in_tag && at.quoted != (c == '"');
+        at.before = c;
         if (strchr("#%'", c))
             fprintf(out, "%%%02X", (unsigned)c);
         else if (c == '&')
@@ -73,14 +100,13 @@ static void put_image(const Page *page, const char *name, const char *about, con
     fclose(in);
 }
 
-/* The drawing, or its pixels where those are shorter (base64 makes four characters of three); and a
+/* The drawing, or the pixels that were drawn for this page where those are shorter (plot.c); and a
  * moving picture, if there is one that is small enough. */
 static void picture(const Page *page, const char *name, const char *about)
 {
-    const long svg = size_of(page, name, "svg"), png = size_of(page, name, "png");
     const long gif = size_of(page, name, "gif");
-    const bool pixels = png > 0 && (svg == 0 || 4 * png < 3 * svg);
-    if (svg || png) put_image(page, name, about, pixels ? "png" : "svg");
+    const long svg = size_of(page, name, "svg"), png = size_of(page, name, "page.png");
+    if (svg > 0) put_image(page, name, about, png > 0 && 4 * png < 3 * svg ? "page.png" : "svg");
     if (gif > 0 && gif < MOVING) put_image(page, name, "the same, moving", "gif");
 }
 
@@ -104,7 +130,8 @@ static void fact(FILE *f, const char *name, const char *value)
 
 static void sidecar(const Page *page, const char *name)
 {
-    static const char *const facts[] = {"version", "compiler", "flags", "sources", "checksum"};
+    static const char *const facts[] = {"version",   "compiler", "flags",
+                                        "processor", "sources",  "checksum"};
     const char *path = phrase("%s/%s.json", page->dir, name);
     json_t *json = json_load_file(path, 0, NULL), *dt = json_object_get(json, "dt");
     if (!json) return;

@@ -76,7 +76,7 @@ static void check(Check *c, const Results *r)
     }
     check_nodes(c, r->rows);
     curve_pick(&curve, r->rows, "r", "G", "method=%s", methods[0]);
-    claim(c, "W07-2.mpm-jump", "the tent's gradient jumps by 2/h at its node", jump(&curve), 1.999,
+    claim(c, "W07-2.mpm-jump", "The tent's gradient jumps by 2/h at its node", jump(&curve), 1.999,
           2.001);
     curve_pick(&curve, r->rows, "r", "G", "method=%s", methods[1]);
     claim(c, "W07-2.gimp-smooth",

@@ -56,7 +56,7 @@ static void check(Check *c, const Results *r)
         "MPM's error is not zero in the three arrangements that are not centred: the least of them",
         least_of_others(r->rows, 0), 0.001, 1);
     claim(c, "W07-3.sizes",
-          "particles of unequal mass report a linear field with an error: the lesser of MPM's and "
+          "Particles of unequal mass report a linear field with an error: the lesser of MPM's and "
           "GIMP's",
           measure_min(error(r->rows, 0, 2), error(r->rows, 1, 2)), 0.003, 0.007);
     claim(c, "W07-3.gimp-others",

@@ -55,7 +55,7 @@ static void check(Check *c, const Results *r)
     Curve curve, mpm;
     curve_pick(&mpm, r->rows, "ppc", "error_linf", "method=mpm");
     curve = mpm;
-    claim(c, "W07-5.significant", "a linear field is projected with an error: MPM's largest",
+    claim(c, "W07-5.significant", "A linear field is projected with an error: MPM's largest",
           curve_max(&mpm, POINTS), 0.005, 0.02);
     claim(c, "W07-5.mpm-exponent", "MPM's worst errors fall as PPC^-2", exponent(&curve, .5), -2.1,
           -1.9);

@@ -72,12 +72,12 @@ static void check_terms(Check *c, const Table *rows, const Curve *mpm, const Cur
           "to 1/200",
           term_of_h(rows), 1.95, 2.02);
     claim_differs(c, "W07-6.no-zero-mpm",
-                  "no arrangement has zero error: MPM's least over all numbers of particles",
+                  "No arrangement has zero error: MPM's least over all numbers of particles",
                   least_error(mpm), 1e-6, 1, 0, 1e-14,
                   "1.9e-16 at half a particle per cell, where a particle sits on every second node "
                   "and the others are empty; 1.6e-5 or more elsewhere");
     claim(c, "W07-6.no-zero-gimp",
-          "no arrangement has zero error: GIMP's least over all numbers of particles",
+          "No arrangement has zero error: GIMP's least over all numbers of particles",
           least_error(gimp), 1e-6, 1);
     const Measure more = rises(mpm), less = rises(gimp);
     claim(c, "W07-6.monotone",

@@ -36,7 +36,7 @@ static void check(Check *c, const Results *r)
 {
     static const char *const ids[METHODS] = {"W07-8.ge-mpm", "W07-8.ge-gimp"};
     static const char *const says[METHODS] = {
-        "tents with the gradient: largest error over 50 to 1000 particles",
+        "Tents with the gradient: largest error over 50 to 1000 particles",
         "GIMP with the gradient: largest error over 50 to 1000 particles"};
     Measure worst = measure_max_of(METHODS * SAMPLES * (CELLS + 1));
     Curve curve;
@@ -45,7 +45,7 @@ static void check(Check *c, const Results *r)
         claim(c, ids[m], says[m], curve_max(&curve, POINTS + SAMPLES), 0, 1e-13);
         for (int k = 0; k < SAMPLES; k++) add_nodes(&worst, r, methods[m], samples[k]);
     }
-    claim(c, "W07-8.boundary", "boundary nodes are exact, too: 137, 250, 333, 777 particles", worst,
+    claim(c, "W07-8.boundary", "Boundary nodes are exact, too: 137, 250, 333, 777 particles", worst,
           0, 1e-13);
 }
 

@@ -145,7 +145,7 @@ static Measure unevenness(const Table *rows, int method)
 
 static void check_losses(Check *c, const Table *rows)
 {
-    claim(c, "W07-12.mpm-lost-2", "a few MPM runs crash: lost by two periods, of 45",
+    claim(c, "W07-12.mpm-lost-2", "A few MPM runs crash: lost by two periods, of 45",
           lost_by(rows, MPM, 5, 2, INFINITY), 1, 6);
     claim(c, "W07-12.mpm-lost-5", "MPM runs lost by five periods, of 45",
           lost_by(rows, MPM, 5, 5, INFINITY), 14, 28);
@@ -153,9 +153,9 @@ static void check_losses(Check *c, const Table *rows)
           ended_as(rows, MPM, "energy_growth"), 14, 30);
     claim(c, "W07-12.mpm-ok-5", "MPM runs neither lost nor grown by five periods, of 45",
           ended_as(rows, MPM, "ok"), 0, 4);
-    claim(c, "W07-12.gimp-lost", "no GIMP run is lost in five periods",
+    claim(c, "W07-12.gimp-lost", "No GIMP run is lost in five periods",
           lost_by(rows, GIMP, 5, 5, INFINITY), 0, 0);
-    claim(c, "W07-12.ge-gimp-lost", "no GE-GIMP run is lost in five periods",
+    claim(c, "W07-12.ge-gimp-lost", "No GE-GIMP run is lost in five periods",
           lost_by(rows, GE_GIMP, 5, 5, INFINITY), 0, 0);
     claim(c, "W07-12.ge-mpm-unstable",
           "GE-MPM is pathologically unstable: share lost, or wrong by 0.2, by two periods",
@@ -169,13 +169,13 @@ static void check_forty_percent(Check *c, const Table *rows)
         ratios[d] = measure_ratio(typical(rows, GE_GIMP, durations[d], 2, 10),
                                   typical(rows, GIMP, durations[d], 2, 10));
     const Measure at_one = ratios[2];
-    claim(c, "W07-12.ratio", "median of GE-GIMP over that of GIMP, one period", at_one, 0.69, 0.77);
+    claim(c, "W07-12.ratio", "Median of GE-GIMP over that of GIMP, one period", at_one, 0.69, 0.77);
     claim(c, "W07-12.ratio-least",
-          "median of GE-GIMP over that of GIMP, least of 1/4, 1/2, 1, 2 periods",
+          "Median of GE-GIMP over that of GIMP, least of 1/4, 1/2, 1, 2 periods",
           measure_min(measure_min(ratios[0], ratios[1]), measure_min(at_one, ratios[3])), 0.66,
           0.74);
     claim_differs(c, "W07-12.forty-percent",
-                  "gradient enhancement lowers GIMP's error by about forty percent, bar: ratio of "
+                  "Gradient enhancement lowers GIMP's error by about forty percent, bar: ratio of "
                   "the medians after one period",
                   at_one, FORTY_PERCENT_LOW, FORTY_PERCENT_HIGH, 0.70, 0.77,
                   "it saves 27 percent of the largest error after one period, 19 to 30 after 1/4 "
@@ -186,11 +186,11 @@ static void check_orders(Check *c, const Table *rows)
 {
     claim(
         c, "W07-12.order-rms",
-        "first order in h: GIMP's rms error after one period, h = 1/20 to 1/80, mean of three PPC",
+        "First order in h: GIMP's rms error after one period, h = 1/20 to 1/80, mean of three PPC",
         order(rows, GIMP, "error_l2"), 0.9, 1.1);
     claim_differs(
         c, "W07-12.order-max",
-        "first order in h: GIMP's largest error (eq. 5.2) after one period, h = 1/20 to 1/80",
+        "First order in h: GIMP's largest error (eq. 5.2) after one period, h = 1/20 to 1/80",
         order(rows, GIMP, "error_linf"), 0.9, 1.1, 0.55, 0.75,
         "order .62: dispersion of a second-order scheme rounds a kink over a width that goes as "
         "h^(2/3) t^(1/3), and the largest error with it");

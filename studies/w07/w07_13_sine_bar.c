@@ -79,21 +79,21 @@ static void check(Check *c, const Results *r)
     Curve curve;
     check_values(c, r->rows);
     pick(&curve, r->rows, "h", 0, 1);
-    claim(c, "W07-13.gimp-order", "second order for a smooth solution: GIMP, exact law",
+    claim(c, "W07-13.gimp-order", "Second order for a smooth solution: GIMP, exact law",
           curve_order(&curve, 0, 1, MESHES), 1.85, 2.05);
     pick(&curve, r->rows, "h", 0, 2);
-    claim(c, "W07-13.ge-gimp-order", "second order for a smooth solution: GE-GIMP, exact law",
+    claim(c, "W07-13.ge-gimp-order", "Second order for a smooth solution: GE-GIMP, exact law",
           curve_order(&curve, 0, 1, MESHES), 1.85, 2.05);
     pick(&curve, r->rows, "h", 0, 0);
     claim(c, "W07-13.mpm-order", "MPM does not converge, exact law: order",
           curve_order(&curve, 0, 1, MESHES), -1, 0.1);
     claim(c, "W07-13.forty-percent",
-          "gradient enhancement lowers GIMP's error by about forty percent, sine bar, exact law: "
+          "Gradient enhancement lowers GIMP's error by about forty percent, sine bar, exact law: "
           "mean of ratios, nine meshes",
           mean_ratio(r->rows), FORTY_PERCENT_LOW, FORTY_PERCENT_HIGH);
     pick(&curve, r->rows, "cells", 1, 1);
     claim(c, "W07-13.tail-off",
-          "the neo-Hookean curve tails off at finite strain: GIMP's error at 1/160, over A^2",
+          "The neo-Hookean curve tails off at finite strain: GIMP's error at 1/160, over A^2",
           measure_times(curve_at(&curve, 160), 1 / 0.01), 0.49, 0.53);
 }
 

@@ -42,13 +42,15 @@ static const double printed[METHODS][PRINTED][3] = {
 
 static void check_values(Check *c, const Table *rows)
 {
-    static const char *const ids[METHODS] = {"mpm", "gimp", "ge-gimp"};
+    static const char *const ids[METHODS] = {"mpm", "gimp", "ge-gimp"}, *const labels[METHODS] = {
+                                                                            "MPM", "GIMP",
+                                                                            "GE-GIMP"};
     Curve curve, mpm;
     pick(&mpm, rows, "cells", 0, "0.004", "neo_hookean");
     for (int m = 0; m < METHODS; m++) {
         pick(&curve, rows, "cells", m, "0.004", "neo_hookean");
         claim(c, phrase("W07-15.%s-values", ids[m]),
-              phrase("%s: largest departure from the recorded errors at 1/8 ... 1/128", methods[m]),
+              phrase("%s: largest departure from the recorded errors at 1/8 ... 1/128", labels[m]),
               curve_deviation(&curve, PRINTED, printed[m]), 0, m ? 0.01 : 0.05);
     }
     claim(c, "W07-15.mpm-unreliable",
@@ -69,7 +71,7 @@ static void check_ratios(Check *c, const Table *rows)
               measure_ratio(curve_at(&ge, 8 << k), curve_at(&gimp, 8 << k)), expected[k] - 0.02,
               expected[k] + 0.02);
     claim_differs(c, "W07-15.forty-percent",
-                  "gradient enhancement lowers GIMP's error by about forty percent, plate: mean of "
+                  "Gradient enhancement lowers GIMP's error by about forty percent, plate: mean of "
                   "ratios, nine meshes",
                   curve_mean_ratio(&ge, &gimp, MESHES), FORTY_PERCENT_LOW, FORTY_PERCENT_HIGH, 0.72,
                   0.76,
@@ -99,16 +101,16 @@ static void check_orders(Check *c, const Table *rows)
     pick(&gimp, rows, "cells", 1, "0.0004", "neo_hookean");
     pick(&ge, rows, "cells", 2, "0.0004", "neo_hookean");
     claim(c, "W07-15.gimp-order",
-          "second order at a tenth of the amplitude, 1/8 to 1/32: least order of GIMP",
+          "Second order at a tenth of the amplitude, 1/8 to 1/32: least order of GIMP",
           least_order(&gimp, 2), 1.85, 2.2);
     claim(c, "W07-15.ge-gimp-order",
-          "second order at a tenth of the amplitude, 1/8 to 1/32: least order of GE-GIMP",
+          "Second order at a tenth of the amplitude, 1/8 to 1/32: least order of GE-GIMP",
           least_order(&ge, 2), 1.85, 2.2);
     claim_differs(c, "W07-15.gimp-order-fine",
-                  "second order at a tenth of the amplitude, 1/8 to 1/128: least order of GIMP",
+                  "Second order at a tenth of the amplitude, 1/8 to 1/128: least order of GIMP",
                   least_order(&gimp, 4), 1.85, 2.2, 1.2, 1.4, why);
     claim_differs(c, "W07-15.ge-gimp-order-fine",
-                  "second order at a tenth of the amplitude, 1/8 to 1/128: least order of GE-GIMP",
+                  "Second order at a tenth of the amplitude, 1/8 to 1/128: least order of GE-GIMP",
                   least_order(&ge, 4), 1.85, 2.2, 0.9, 1.1, why);
 }
 
@@ -123,7 +125,7 @@ static void check_causes(Check *c, const Table *rows)
     claim(c, "W07-15.gimp-better", "GIMP converges further than MPM: its error over MPM's at 1/128",
           measure_ratio(curve_at(&gimp, 128), curve_at(&mpm, 128)), 0, 0.5);
     claim_differs(c, "W07-15.finite-strain",
-                  "the tail-off comes from finite strain: GE-GIMP's error at 1/128 with an exactly "
+                  "The tail-off comes from finite strain: GE-GIMP's error at 1/128 with an exactly "
                   "linear law over that with the neo-Hookean",
                   measure_ratio(curve_at(&linear, 128), curve_at(&ge, 128)), 0, 0.5, 0.68, 0.75,
                   "72 percent of the error stays with a linear law: pi A/4, from conditions at "
@@ -139,7 +141,7 @@ static void check(Check *c, const Results *r)
     check_orders(c, r->rows);
     pick(&curve, r->rows, "cells", 2, "0.004", "linear");
     claim(c, "W07-15.floor",
-          "the tail-off is due to conditions at fixed nodes on moving edges: GE-GIMP's error at "
+          "The tail-off is due to conditions at fixed nodes on moving edges: GE-GIMP's error at "
           "1/128 with an exactly linear law, over pi A/4",
           measure_times(curve_at(&curve, 128), 1 / (M_PI * 0.004 / 4)), 0.9, 1.1);
 }

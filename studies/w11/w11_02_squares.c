@@ -139,12 +139,12 @@ static void check(Check *c, const Results *r)
     (void)r;
     const double worst = worst_departure(&masks);
     claim(c, "W11-2.masks",
-          "all 16 masks, a thousand distances each: area and first moments of the shape against "
+          "All 16 masks, a thousand distances each: area and first moments of the shape against "
           "formulas by hand, largest departure",
           measure_formula(worst), 0, 1e-12);
     claim_note(c, "masks", masks);
     claim(c, "W11-2.smooth",
-          "the area inside varies smoothly as a boundary passes: largest change per length moved, "
+          "The area inside varies smoothly as a boundary passes: largest change per length moved, "
           "in cell sides (a jump would give 1000)",
           measure_formula(fastest_change()), 1, 1.001 * M_SQRT2);
 }

@@ -110,10 +110,10 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-3.outside", "WLS: no node inside the ring is spurious: how many are", inner, 0,
           0);
     claim(c, "W11-3.circular",
-          "lines of equal weight are nearly circles: least over largest radius, weight .12",
+          "Lines of equal weight are nearly circles: least over largest radius, weight .12",
           measure_formula(roundness(trigger)), 0.95, 1);
     claim(c, "W11-3.trigger",
-          "trigger weights .1 to .25 do equally well: (largest - least)/largest error on the ring, "
+          "Trigger weights .1 to .25 do equally well: (largest - least)/largest error on the ring, "
           "N = 32",
           spread(r->rows), 0, 0.05);
     claim_note(c, "trigger", trigger);

@@ -160,12 +160,12 @@ static void check_orders(Check *c, const Table *t)
                   curve_mean_ratio(&wls, &fem, MESHES), 1, 2, 2.3, 3,
                   "2.6 times FEM's error; 1.7 at N = 8, 2.2 at 32, 3.8 at 128");
     claim_differs(c, "W11-6.fine-cfl",
-                  "a low CFL number matters on fine meshes: WLS's error at CFL .6 over that at .3, "
+                  "A low CFL number matters on fine meshes: WLS's error at CFL .6 over that at .3, "
                   "N = 64",
                   measure_ratio(curve_at(&step, 0.6), curve_at(&step, 0.3)), 1.1, 100, 0.9, 1,
                   ".93: the larger step is slightly more accurate, as at N = 32");
     claim(c, "W11-6.cell-size",
-          "the cell size is a reliable distance for the time step: WLS runs lost at CFL .05 to "
+          "The cell size is a reliable distance for the time step: WLS runs lost at CFL .05 to "
           ".7, N = 32, of 8",
           lost_steps(t), 0, 0);
 }

@@ -129,7 +129,7 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-8.smooth-gimp", "GIMP: no jumps: largest change of energy in a step over E0",
           largest_jump(r, "gimp"), 0, 0.003);
     claim(c, "W11-8.unilateral",
-          "a wall that lets go halves WLS's overshoot of energy: ratio of largest total less E0",
+          "A wall that lets go halves WLS's overshoot of energy: ratio of largest total less E0",
           measure_ratio(bounce(r, "wls_unilateral").over, bounce(r, "wls").over), 0, 0.65);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         const Bounce b = bounce(r, (*m)->name);

@@ -235,10 +235,10 @@ static void test_fall(void)
 {
     FOR_METHODS(m) FOR_INTEGRATORS(i)
     {
-        const int steps = 40;
+        const int steps = IN_THIS_DIM(40, 40, 16);
         Rig r;
         if (!rig_valid(*m, i, true)) continue;
-        rig_scene(&r, &falling, *m, i, 7, pow(2, DIM));
+        rig_scene(&r, &falling, *m, i, IN_THIS_DIM(7, 7, 4), pow(2, DIM));
         r.plan.setup.refresh = !rig_valid(*m, i, false);
         Sim *sim = rig_sim(&r);
         CU_ASSERT_FATAL(rig_steps(&r, sim, 0, steps));
@@ -277,7 +277,7 @@ static void test_light_node(void)
     FOR_METHODS(m) for (int k = 0; k < COUNT(edge); k++)
     {
         Rig r;
-        rig_scene(&r, &alone, *m, USL, 8, pow(2, DIM));
+        rig_scene(&r, &alone, *m, USL, IN_THIS_DIM(8, 8, 4), pow(2, DIM));
         r.plan.scene.k[3] = 1e-15, r.plan.scene.k[4] = edge[k];
         Sim *sim = rig_sim(&r);
         const bool moved = rig_steps(&r, sim, 0, 1); /* or it fills no cell */

@@ -165,7 +165,7 @@ static void test_scenes(void)
             for (int k = 0; k < COUNT(ppc); k++) {
                 const double own = DIM < 3 ? ppc[k] : pow(k + 1, 3);
                 const Case c = {DIM, (*p)->info.name, cells[n], own, 0, NULL};
-                if (DIM > 2 && cells[n] * (k + 1) > 32) continue;
+                if (DIM > 2 && cells[n] * (k + 1) > 20) continue;
                 check_scene(&c, "gimp", false);
                 check_scene(&c, "gimp", true);
                 if (DIM > 1 && k == 0) check_scene(&c, "fem", false);

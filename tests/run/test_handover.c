@@ -7,9 +7,11 @@
 #include "common/run/loop.h"
 #include "tests/fixture.h"
 
-/* A body that turns, drifts, stretches and shears, without walls. */
-static const Case scene = {
-    DIM, "free_block", DIM == 3 ? 6 : 12, 0, 0, DIM == 1 ? "dim=1" : DIM == 2 ? "dim=2" : "dim=3"};
+/* A body that turns, drifts, stretches and shears, without walls. In 2D its particles fill no whole
+ * chunks. */
+static const Case scenes[] = {{1, "free_block", 12, 0, 0, "dim=1"},
+                              {2, "free_block", 12, 9, 0, "dim=2"},
+                              {3, "free_block", 6, 8, 0, "dim=3"}};
 
 /* Momentum and, about the origin, angular momentum: (0, 1), (0, 2), (1, 2). */
 typedef struct Motion {
@@ -91,11 +93,14 @@ static double gap(const Motion *a, const Motion *b)
     return most / a->size;
 }
 
-/* Largest change of K + S in one of ten steps. */
+/* Steps before and after a hand-over. */
+enum { STEPS = IN_THIS_DIM(10, 10, 4) };
+
+/* Largest change of K + S in one of these steps. */
 static double run_up(const Rig *r, Sim *sim)
 {
     double most = 0;
-    for (int k = 0; k < 10; k++) {
+    for (int k = 0; k < STEPS; k++) {
         const double before = of_particles(sim).energy;
         CU_ASSERT(rig_steps(r, sim, k, k + 1));
         most = fmax(most, fabs(of_particles(sim).energy - before));
@@ -107,8 +112,9 @@ static void check_pair(const Method *first, const Method *second)
 {
     Rig a, b;
     Fault fault = {0};
-    if (!rig_plan(&a, &scene, first->info.name, CD, NULL)) return;
-    if (!rig_plan(&b, &scene, second->info.name, CD,
+    if (DIM > 2 && !first->affine && !second->affine && first != second) return; /* for time */
+    if (!rig_plan(&a, &scenes[DIM - 1], first->info.name, CD, NULL)) return;
+    if (!rig_plan(&b, &scenes[DIM - 1], second->info.name, CD,
                   a.plan.setup.fitted ? "layout=radial" : "layout=cartesian"))
         return;
     if (first->frame == FRAME_TOTAL || second->frame == FRAME_TOTAL) return; /* refused */
@@ -123,7 +129,7 @@ static void check_pair(const Method *first, const Method *second)
     CHECK_CLOSE(gap(&before, &after), 0, 1e-12);
     CU_ASSERT(before.size > 0 && step > 0);
     CU_ASSERT(turned || fabs(particles.energy - energy) <= step);
-    CU_ASSERT(rig_steps(&b, to, 10, 20) || tents);
+    CU_ASSERT(rig_steps(&b, to, STEPS, 2 * STEPS) || tents);
     sim_free(from);
     sim_free(to);
 }

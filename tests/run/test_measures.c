@@ -265,13 +265,14 @@ static void test_thread_rows(void)
 {
     static const Case blocks[] = {{1, "free_block", 200, 2, 0, NULL},
                                   {2, "free_block", 20, 4, 0, NULL},
-                                  {3, "free_block", 8, 8, 0, "dim=3"}};
+                                  {3, "free_block", 6, 8, 0, "dim=3"}};
     FOR_METHODS(m)
     {
         Row one, many;
         Fault fault;
         char a[ROW_TEXT], b[ROW_TEXT];
-        RunSpec spec = rig_spec(&blocks[DIM - 1], (*m)->info.name, NULL, "steps=20");
+        RunSpec spec =
+            rig_spec(&blocks[DIM - 1], (*m)->info.name, NULL, DIM < 3 ? "steps=20" : "steps=8");
         CU_ASSERT_FATAL(run_spec(&spec, &one, &fault) == 0);
         spec.threads = 3;
         CU_ASSERT_FATAL(run_spec(&spec, &many, &fault) == 0);

@@ -136,7 +136,7 @@ static void test_padding(void)
 /* After a failure nothing moves any more, whatever is asked for; nothing reads beyond the grid. */
 static void test_after(void)
 {
-    const Case c = {DIM, "free_block", 8, 0, 0, "drift=10;box=1"};
+    const Case c = {DIM, "free_block", IN_THIS_DIM(8, 8, 4), 0, 0, "drift=10;box=1"};
     FOR_METHODS(m) FOR_INTEGRATORS(i)
     {
         Rig r;

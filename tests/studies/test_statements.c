@@ -1,5 +1,6 @@
 /* test_statements.c: every claim on a page of a paper stands on one sentence of it or is said to be
  * our own; every sentence has a claim or a reason; claims can be read alone, and can fail. */
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -99,9 +100,12 @@ static void test_alone(void)
             fault_if(strncasecmp(c.list[k].statement, openings[w], n) == 0, "cannot be read alone",
                      c.list[k].statement);
         }
-    for (int k = 0; k < c.n; k++)
+    for (int k = 0; k < c.n; k++) {
         fault_if(strstr(c.list[k].statement, ": the same") != NULL, "cannot be read alone",
                  c.list[k].statement);
+        fault_if(islower(c.list[k].statement[0]), "begins with a small letter",
+                 c.list[k].statement);
+    }
     free(c.list);
 }
 

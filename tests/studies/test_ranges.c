@@ -1,0 +1,159 @@
+/* test_ranges.c: every claim's range can fail. A study's tables are made from sound numbers, then
+ * from others: those of rows a thousand times as large or as small, all runs lost, the numbers of
+ * the runs' files or of the page's own tables changed. With one of these each claim must have its
+ * number, and that outside its range. */
+#include <dirent.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "common/base/info.h"
+#include "studies/engine/claims.h"
+#include "studies/engine/results.h"
+#include "tests/check.h"
+#include "trial.h"
+
+static const char dir[] = "scratch/ranges";
+
+/* Formulas of the program itself: in no table. */
+static const char *const formulas[] = {"W11-2.masks", "W11-2.smooth", "W11-3.circular", NULL};
+
+/* Columns by which rows are chosen; x and y only where there is no X. */
+static const char *const keys[] = {
+    "t",       "id",    "cell",   "k",        "x",         "y",       "X",       "Y",
+    "r",       "angle", "cells",  "ppc",      "cfl",       "dim",     "column",  "row",
+    "station", "norm",  "depth",  "place",    "amplitude", "refresh", "default", "pair",
+    "line",    "runs",  "meshes", "mass",     "case",      "grading", "nodes",   "at",
+    "periods", "step",  "nu",     "offset_x", "target",    "weight",  "Fyy",     NULL};
+
+static bool is_one(const char *name, const char *const list[])
+{
+    for (; *list; list++)
+        if (strcmp(*list, name) == 0) return true;
+    return false;
+}
+
+/* How a number of a table changes: times a factor, times 10 to a power of the file's own and to one
+ * of the number's own, both between -scatter and scatter; then more is added. */
+typedef struct Change {
+    double factor, scatter, more;
+} Change;
+
+/* 10^-scatter to 10^scatter, the same for the same k. */
+static double scattered(double scatter, int k)
+{
+    return pow(10, scatter * (2 * fmod(k * 0.6180339887, 1) - 1));
+}
+
+static bool is_key(const Table *t, const char *name)
+{
+    const bool position = strcmp(name, "x") == 0 || strcmp(name, "y") == 0;
+    return is_one(name, keys) && !(position && table_column(t, "X") >= 0);
+}
+
+/* Rewrites a table: numbers of all columns but the keys. */
+static void change_table(const char *path, const Change *by)
+{
+    Table *t = table_read(path, NULL);
+    FILE *f = t ? fopen(path, "w") : NULL;
+    int name = 0;
+    for (const char *p = path; *p; p++) name += *p * (int)(p - path);
+    const double factor = by->factor * scattered(by->scatter, name);
+    for (int row = -1; f && row < t->nrow; row++)
+        for (int c = 0; c < t->ncol; c++) {
+            double x;
+            const int cell = row * t->ncol + c;
+            const char *text = row < 0 ? t->name[c] : t->cell[cell];
+            if (row >= 0 && !is_key(t, t->name[c]) && info_number_parse(text, &x) == 0)
+                fprintf(f, "%.6g", x * factor * scattered(by->scatter, cell) + by->more);
+            else
+                table_put_cell(f, text);
+            putc(c + 1 < t->ncol ? ',' : '\n', f);
+        }
+    if (f) fclose(f);
+    table_free(t);
+}
+
+typedef struct Trial {
+    const Study *study;
+    Cases cases;
+    unsigned *seen; /* verdicts [study->claims], a bit each */
+} Trial;
+
+static void judge(Trial *t, bool tables)
+{
+    Check c = {0};
+    Fault fault = {0};
+    if (tables && t->study->tables) results_tables(t->study, dir, false, &fault);
+    CU_ASSERT_FATAL(claims_judge_study(&c, t->study, dir, &fault) == 0 && c.n == t->study->claims);
+    for (int k = 0; k < c.n; k++)
+        if (c.list[k].judged) t->seen[k] |= 1U << c.list[k].verdict;
+    free(c.list);
+}
+
+/* All tables beside that of the runs. */
+static void change_files(const Study *study, const Change *by)
+{
+    char path[TRIAL_PATH], rows[TRIAL_PATH];
+    snprintf(rows, sizeof rows, "%s.csv", study->cases ? study->name : "");
+    DIR *d = opendir(dir);
+    for (struct dirent *e; d && (e = readdir(d));) {
+        snprintf(path, sizeof path, "%s/%.200s", dir, e->d_name);
+        if (strstr(e->d_name, ".csv") && strcmp(e->d_name, rows) != 0) change_table(path, by);
+    }
+    if (d) closedir(d);
+}
+
+/* First the rows of the runs, then their files, with the page's tables made of them and without. */
+static void try_all(Trial *t)
+{
+    static const Change changes[] = {{1, 3, 0}, {-1e3, 0, 1}, {1, 0, -1e9}};
+    static const Spoiled rows[] = {LOST_RUN, LARGER, SMALLER, UNEVEN, UNEVEN_TOO, SOUND};
+    trial_clear(dir);
+    trial_files(&t->cases);
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        trial_rows(t->study, &t->cases, dir, -1, rows[k]);
+        judge(t, true);
+    }
+    for (size_t k = 0; k < sizeof changes / sizeof *changes; k++) {
+        change_files(t->study, &changes[k]);
+        judge(t, false);
+        if (t->study->tables) judge(t, true);
+    }
+}
+
+/* Was it outside its range, or one time inside and one time in that of what differs? */
+static bool can_fail(unsigned seen)
+{
+    const unsigned both = 1U << PASS | 1U << DIFFERS;
+    return seen & 1U << FAIL || (seen & both) == both;
+}
+
+static void test_ranges(void)
+{
+    mkdir("scratch", 0777);
+    mkdir(dir, 0777);
+    for (const Study *const *s = studies; *s; s++) {
+        Trial t = {.study = *s, .seen = calloc((size_t)(*s)->claims + 1, sizeof(unsigned))};
+        CU_ASSERT_FATAL(t.seen && cases_build(&t.cases, *s, false, NULL, dir, NULL) == 0);
+        if ((*s)->check && (*s)->claims > 0) try_all(&t);
+        Check c = {0};
+        if ((*s)->check) claims_judge_study(&c, *s, dir, NULL);
+        for (int k = 0; k < c.n; k++) {
+            const bool wrong = !can_fail(t.seen[k]) && !is_one(c.list[k].id, formulas);
+            if (wrong) printf("%s: no change makes it fail\n", c.list[k].id);
+            CU_ASSERT(!wrong);
+        }
+        free(c.list);
+        free(t.seen);
+        cases_free(&t.cases);
+    }
+    trial_clear(dir);
+}
+
+static const TestCase tests[] = {
+    {"a changed number fails each claim", test_ranges},
+    {NULL, NULL},
+};
+CHECK_SUITE(tests)
