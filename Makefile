@@ -17,7 +17,7 @@ OPT    = -O3 $(ARCH) -ffp-contract=fast -fno-math-errno -fno-trapping-math
 WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Wstrict-prototypes \
          -Wmissing-prototypes -Wno-psabi $(WERROR) $(if $(OMP),,-Wno-unknown-pragmas)
 CFLAGS = -std=gnu11 -g -I. $(OPT) $(OMP) $(SAN) $(WARN)
-LDLIBS = -lgsl -lgslcblas -ljansson -lz -lm
+LDLIBS = -lnetpbm -lgsl -lgslcblas -ljansson -lz -lm
 
 comma  = ,
 paren  = (
@@ -114,6 +114,7 @@ $(BUILD)/tests/%.o: tests/%.c Makefile
 
 $(BUILD)/tests/fuzz/test_fuzz_corpus.o: CFLAGS += -DFOUND='"$(CURDIR)/tests/fuzz/found"'
 $(BUILD)/d2/tests/core/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/peers"'
+$(DIMS:%=$(BUILD)/d%/tests/problems/test_scan.o): CFLAGS += -DSCANS='"$(CURDIR)/tests/data/scans"'
 $(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,$(call tests_of,tools) studies/trial check) \
   $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
@@ -226,7 +227,7 @@ uninstall: ## the reverse
 	rm -rf "$(SHARED)"
 
 deps: ## packages that the program and its tests need (apt)
-	@bash tests/tools/deps.sh gcc make binutils libc6-dev libgsl-dev libjansson-dev zlib1g-dev \
+	@bash tests/tools/deps.sh gcc make binutils libc6-dev libgsl-dev libjansson-dev zlib1g-dev libnetpbm-dev \
 	  libcunit1-dev gnuplot-nox fonts-dejavu-core man-db $(if $(findstring clang,$(CC)),clang libomp-dev)
 
 deps-extra: ## packages for lint, san, fuzz, memcheck

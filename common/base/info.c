@@ -68,8 +68,23 @@ static int parse_choice(const Param *p, const char *text, double *value, char ta
     return -1;
 }
 
+bool info_param_is_path(const Param *p)
+{
+    return p->choices && strcmp(p->choices, PARAM_PATH) == 0;
+}
+
+/* Characters that part a row's parameters end a name. */
+static int parse_path(const char *text, double *value, char takes[128])
+{
+    *value = 0;
+    if (!strpbrk(text, ",;=\n")) return 0;
+    snprintf(takes, 128, "the name of a file without , ; = or a new line");
+    return -1;
+}
+
 int info_param_parse(const Param *p, const char *text, double *value, char takes[128])
 {
+    if (info_param_is_path(p)) return parse_path(text, value, takes);
     if (p->choices) return parse_choice(p, text, value, takes);
     double x;
     if (info_number_parse(text, &x) == 0 && x >= p->min && x <= p->max) {
@@ -87,7 +102,9 @@ void info_param_print(const Param *p, double value, char out[64])
 {
     const char *word;
     int length = p->choices ? choice(p->choices, (int)value, &word) : 0;
-    if (length > 0)
+    if (info_param_is_path(p))
+        strcpy(out, "-");
+    else if (length > 0)
         snprintf(out, 64, "%.*s", length, word);
     else
         info_number_print(value, out);

@@ -7,7 +7,11 @@
 #include <stdio.h>
 
 /* One parameter. Numbers lie in [min, max]; if `choices` is set ("a|b|c") the value is the index of
- * the chosen word. The list of a problem or method ends with a Param whose name is NULL. */
+ * the chosen word, unless it is PARAM_PATH: then it is the name of a file, of which a problem has
+ * at most one (Scene.text), and the value is 0. The list of a problem or method ends with a Param
+ * whose name is NULL. */
+#define PARAM_PATH "PATH"
+
 typedef struct Param {
     const char *name;
     double value; /* default */
@@ -28,6 +32,8 @@ typedef struct Info {
 
 /* The parameter of a list (or NULL) by that name, or NULL. */
 const Param *info_param_find(const Param *list, const char *name);
+
+bool info_param_is_path(const Param *p);
 
 /* Reads text as a value of p: a number within its range, or one of its words. Returns 0, or -1 with
  * a description of what it takes in takes[128]. */

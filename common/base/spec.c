@@ -18,15 +18,15 @@ int spec_set(RunSpec *spec, const char *name_value, Fault *fault)
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
     Setting s = {0};
-    const size_t room = sizeof s.name;
     size_t n = strspn(name_value, letters);
     const char *value = name_value + n + 1;
     if (n == 0 || name_value[n] != '=' || !*value)
         return fault_set(fault, FAULT_USAGE, "--set: got '%s', takes NAME=VALUE", name_value);
-    if (n >= room || strlen(value) >= room || strpbrk(value, " \t\n,;\"'"))
+    if (n >= sizeof s.name || strlen(value) >= sizeof s.value || strpbrk(value, " \t\n,;\"'"))
         return fault_set(fault, FAULT_USAGE,
-                         "--set: got '%s', takes NAME=VALUE, each of at most %d plain characters",
-                         name_value, (int)room - 1);
+                         "--set: got '%.200s', takes NAME=VALUE of at most %d and %d plain "
+                         "characters",
+                         name_value, (int)sizeof s.name - 1, (int)sizeof s.value - 1);
     memcpy(s.name, name_value, n);
     memcpy(s.value, value, strlen(value));
     Setting *old = setting_find(spec, s.name);

@@ -5,7 +5,7 @@
 #include <signal.h>
 #include "fault.h"
 
-enum { SPEC_SETS = 32, SPEC_TEXT = 3072, SPEC_PROBES = 16, PROBE_COLUMNS = 9 };
+enum { SPEC_SETS = 32, SPEC_TEXT = 6144, SETTING_TEXT = 128, SPEC_PROBES = 16, PROBE_COLUMNS = 9 };
 
 /* A place in the reference body [m], with as many coordinates as were typed. */
 typedef struct Probe {
@@ -15,7 +15,7 @@ typedef struct Probe {
 } Probe;
 
 typedef struct Setting {
-    char name[32], value[32];
+    char name[32], value[SETTING_TEXT];
 } Setting;
 
 /* Zeroed fields ("" or 0) mean: not given, take the default. All run inputs are finite and

@@ -212,6 +212,7 @@ int layout_make(Layout *out, const Scene *scene, double spacing, int count, bool
     else
         place_lattice(out, scene, spacing);
     if (fitted && !placed) place_faces(out, scene, layout_surface_spacing(out, spacing));
+    if (out->why[0]) return fault_set(fault, FAULT_MACHINE, "%s", out->why);
     if (out->lost)
         return fault_set(fault, FAULT_MACHINE, "out of memory placing more than %d particles",
                          out->n);

@@ -16,6 +16,7 @@ struct Layout {
     double fit;   /* spacing of a lattice that was fitted to a box, over the one asked for; 0: 1 */
     int n, room;
     int lost;            /* points that did not fit into memory: > 0 means failure */
+    char why[128];       /* why the scene could not place its points; "": it did */
     double *X[DIM];      /* [m] */
     double *volume;      /* [m^DIM]; 0 for surface particles */
     double *normal[DIM]; /* outward unit normal of surface particles, else 0 */

@@ -24,6 +24,8 @@ typedef struct Wall {
     unsigned hold; /* bit a set: v_a = a_a = 0 there */
     bool mirror;   /* symmetry: beyond lies the mirrored body; hold is unused */
     bool unilateral; /* hold only while the body pushes against it, then bring it to rest */
+    double speed;    /* [m/s] if not 0: it moves along its axis, from `at` on, which may lie between
+                      * grid lines; its nodes have this velocity, held components across it 0 */
 } Wall;
 
 enum { MAX_WALLS = 8, MAX_DERIVED = 16 };
@@ -35,7 +37,7 @@ typedef enum { CONTACT_BARDENHAGEN, CONTACT_NONE } ContactLaw;
 /* The body as data, for layouts and meshes that fit it. Box: body_lo to body_hi. Ring, disk: radii
  * [m] about centre, angles [rad]; a ring in 3D reaches from body_lo to body_hi along the last axis.
  * Hole plate: the box less a hole of radius inner about centre. Shell, ball: radii about centre.
- * Cavity: a cube less the ball of radius inner about centre. */
+ * Cavity: a cube less the ball of radius inner about centre. Scan: known by its points alone. */
 typedef enum {
     BODY_BOX,
     BODY_RING,
@@ -43,7 +45,8 @@ typedef enum {
     BODY_HOLE_PLATE,
     BODY_SHELL,
     BODY_BALL,
-    BODY_CAVITY
+    BODY_CAVITY,
+    BODY_SCAN
 } BodyKind;
 
 typedef struct Body {
@@ -64,6 +67,10 @@ typedef struct Problem {
     /* Material, domain, walls, times and derived constants from the parameters. 0, or -1 with one
      * line in why[128] if they make no sense together. */
     int (*init)(Scene *s, char why[128]);
+
+    /* Replaces parameters whose values init has found out, such as a file's checksum, so that the
+     * row carries them. NULL: none. */
+    void (*complete)(const Scene *s, double par[]);
 
     /* Is X inside the body? Bounded by body_lo, body_hi. NULL: the whole box is the body. */
     bool (*inside)(const Scene *s, const Vec X);
@@ -105,6 +112,7 @@ typedef struct Problem {
 struct Scene {
     const Problem *problem;
     const double *par; /* values in the order of problem->info.params; owned by the run */
+    const char *text;  /* value of its parameter that is the name of a file, or NULL; not owned */
     double cell;       /* [m] grid spacing, set before init; only for parameters given in cells */
     Material mat;
     Vec lo, hi;           /* domain of the grid [m]: particles that leave it are lost */

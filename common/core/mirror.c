@@ -3,6 +3,7 @@
  * real deposit at i'; on the line itself it is the parity times its own. */
 #include <limits.h>
 #include <math.h>
+#include <string.h>
 #include "sim.h"
 
 /* -1 in lanes whose component is normal to the axis, +1 else; 0 in the spare lanes, which keep the
@@ -192,6 +193,38 @@ void mirror_wall_images(Sim *sim)
     }
 }
 
+static void hold_beyond(Grid *g, const Wall *w, double at)
+{
+    for (int i = 0; i < g->n[w->axis]; i++) {
+        if (w->side * (i - at) < 0) continue;
+        g->hold[w->axis][i] |= (unsigned char)w->hold;
+        if (g->drive[w->axis]) g->drive[w->axis][i] = w->speed;
+    }
+}
+
+/* Index at which the nodes begin that a wall holds; in the total frame walls stay with the
+ * reference positions. Round-off puts no node on the other side of a wall that starts on it. */
+static double wall_index(const Sim *sim, const Wall *w, double t)
+{
+    const Grid *g = &sim->g;
+    const double x = w->at + (sim->total ? 0 : w->speed * t);
+    return fabs(w->speed) > 0 ? x * g->cells - g->origin[w->axis] + w->side * -1e-9
+                              : (double)(lround(w->at * g->cells) - g->origin[w->axis]);
+}
+
+void mirror_move_walls(Sim *sim, double t)
+{
+    Grid *g = &sim->g;
+    const Scene *scene = sim->setup->scene;
+    for (int d = 0; d < DIM && g->drive[0]; d++) {
+        memset(g->hold[d], 0, (size_t)g->n[d]);
+        memset(g->drive[d], 0, sizeof(double) * (size_t)g->n[d]);
+        for (const Wall *w = scene->wall; w < scene->wall + scene->nwall; w++)
+            if (w->axis == d && !w->mirror && !w->unilateral)
+                hold_beyond(g, w, wall_index(sim, w, t));
+    }
+}
+
 void mirror_set_walls(Sim *sim)
 {
     Grid *g = &sim->g;
@@ -201,15 +234,15 @@ void mirror_set_walls(Sim *sim)
         for (int k = 0; k < scene->nwall; k++) {
             const Wall *w = &scene->wall[k];
             const int at = (int)lround(w->at * g->cells) - g->origin[d];
-            if (w->axis != d) continue;
+            if (w->axis != d || fabs(w->speed) > 0) continue;
             if (!w->mirror) {
                 *(w->side < 0 ? &g->axis[d].wall_lo : &g->axis[d].wall_hi) = at;
                 *(w->side < 0 ? &g->axis[d].open_lo : &g->axis[d].open_hi) = !(w->hold >> d & 1);
             }
             if (w->mirror) g->mirror[g->nmirror++] = (Mirror){d, at, w->side};
             if (w->unilateral && !w->mirror) g->stop[g->nstop++] = (Stop){d, at, w->side, w->hold};
-            for (int i = 0; i < g->n[d] && !w->mirror && !w->unilateral; i++)
-                if (w->side * (i - at) >= 0) g->hold[d][i] |= (unsigned char)w->hold;
+            if (!w->mirror && !w->unilateral) hold_beyond(g, w, at);
         }
     }
+    mirror_move_walls(sim, 0);
 }

@@ -121,7 +121,9 @@ static void core_impulse(const void *self, Vec out)
 static double core_work(const void *self)
 {
     const Bodies *all = &((const Core *)self)->all;
-    return all->n > 1 ? all->contact.work : skin_work(all->sim[0]->skin);
+    double work = all->n > 1 ? all->contact.work : skin_work(all->sim[0]->skin);
+    for (int b = 0; b < all->n; b++) work += all->sim[b]->driven;
+    return work;
 }
 
 static void core_outside(const void *self, Vec out)

@@ -45,6 +45,13 @@ static void *get_huge(size_t n, size_t size)
     return memory;
 }
 
+static bool has_moving_walls(const Scene *scene)
+{
+    for (int k = 0; k < scene->nwall; k++)
+        if (fabs(scene->wall[k].speed) > 0) return true;
+    return false;
+}
+
 /* Grid nodes start as untouched zero pages: only live spans ever cost memory. */
 static bool grid_alloc(Sim *sim)
 {
@@ -60,6 +67,9 @@ static bool grid_alloc(Sim *sim)
     ok = (g->lo = get((size_t)g->rows, sizeof(int))) && ok;
     ok = (g->hi = get((size_t)g->rows, sizeof(int))) && ok;
     ok = (g->live = calloc((size_t)g->rows, sizeof(int))) && ok;
+    for (int d = 0; d < DIM && has_moving_walls(s->scene); d++)
+        ok = (g->drive[d] = calloc((size_t)g->n[d], sizeof(double))) && ok;
+    if (has_moving_walls(s->scene)) ok = (g->work = calloc((size_t)g->rows, sizeof(double))) && ok;
     ok = (g->impulse = calloc((size_t)g->rows, sizeof(Vec))) && ok;
     ok = (g->count = get((size_t)longest + 1, sizeof(int))) && ok;
     if (s->scene->problem->body || s->scene->traction)
@@ -262,7 +272,8 @@ void sim_free(Sim *sim)
     Grid *g = &sim->g;
     Particles *p = &sim->p;
     if (sim->own) sim->method.free(sim);
-    for (int d = 0; d < DIM; d++) free(g->hold[d]);
+    for (int d = 0; d < DIM; d++) free(g->hold[d]), free(g->drive[d]);
+    free(g->work);
     free(g->node), free(g->keep), free(g->lo), free(g->hi), free(g->live), free(g->impulse),
         free(g->count);
     free(g->force), free(g->outward), free(g->mass), free(g->body), free(sim->block);

@@ -70,7 +70,9 @@ typedef struct Grid {
     unsigned char *body; /* [rows * n[0]] the node is the body's, for particles on nodes */
     Axis axis[DIM];      /* where walls stand, for shapes that fold their weights there */
     unsigned char *hold[DIM]; /* [n[d]] bit a: component a is held at this index of axis d */
-    Mirror mirror[2 * DIM];   /* by axis */
+    double *drive[DIM]; /* [n[d]] velocity of held nodes along axis d [m/s]; NULL: no wall moves */
+    double *work;       /* [rows] [J] that moving walls do in this step; or NULL */
+    Mirror mirror[2 * DIM]; /* by axis */
     int nmirror;
     Stop stop[2 * DIM]; /* unilateral walls; not in hold */
     int nstop;
@@ -115,6 +117,7 @@ typedef struct Sim {
     int surface;            /* surface particles, if the method has any */
     long fallbacks;    /* nodes that fell back from their method's own rule, summed over steps */
     struct Skin *skin; /* the surface under traction, or NULL */
+    double driven;     /* [J] work of moving walls so far */
     bool moved;        /* the last step has moved the particles */
     Status status;     /* what ended the run: no step is taken after it */
 } Sim;
@@ -172,6 +175,7 @@ void mirror_visit_pairs(Sim *sim, bool back, PairVisit *visit,
                         void *own); /* ghosts, their images */
 void mirror_unfold(Sim *sim, Given given);
 void mirror_spans(Grid *g);
+void mirror_move_walls(Sim *sim, double t); /* what moving walls hold at time t, and how fast */
 void mirror_set_walls(Sim *sim); /* walls as data of the grid: what is held, and mirrors by axis */
 void mirror_wall_images(
     Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */

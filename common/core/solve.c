@@ -44,6 +44,36 @@ static unsigned row_hold(const Grid *g, int row)
     return held;
 }
 
+/* Velocity that moving walls give to what they hold of a node. */
+static void row_drive(const Grid *g, int row, Vec drive)
+{
+    drive[0] = 0;
+    for (int d = 1; d < DIM; row /= g->n[d++])
+        drive[d] = g->drive[d] ? g->drive[d][row % g->n[d]] : 0;
+}
+
+/* Work of moving walls over a step: what they bear of the nodes' forces as deposited, times their
+ * way. */
+static void record_wall_work(Sim *sim, double dt)
+{
+    Grid *g = &sim->g;
+    for (int row = 0; row < g->rows; row++) {
+        Vec drive;
+        row_drive(g, row, drive);
+        g->work[row] = 0;
+        for (int i = g->lo[row]; i < g->hi[row]; i++) {
+            const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
+            const unsigned held = row_hold(g, row) | g->hold[0][i];
+            drive[0] = g->drive[0][i];
+            for (int a = 0; a < DIM; a++) {
+                double f = g->force ? g->force[at * DIM + (size_t)a] : 0;
+                for (int b = 0; b < DIM; b++) f += g->node[at][FLUX + b * DIM + a];
+                if (held >> a & 1) g->work[row] -= f * drive[a] * dt;
+            }
+        }
+    }
+}
+
 /* A wall holds while the free momentum p + f dt is directed into it; a body that would be pulled
  * back leaves. */
 unsigned sim_stops(const Grid *g, int row, int i, double dt)
@@ -72,7 +102,7 @@ unsigned sim_stops(const Grid *g, int row, int i, double dt)
  * gives to particles, m (dt (1 - pic) a + pic v), minus what they lose to it, pic p, and minus the
  * internal force. */
 static inline void solve_node(Grid *g, const Motion *m, size_t at, unsigned held, unsigned stopped,
-                              double impulse[DIM])
+                              const Vec drive, double impulse[DIM])
 {
     const double dt = m->dt, scale = m->scale;
     const Line in = g->node[at];
@@ -86,7 +116,7 @@ static inline void solve_node(Grid *g, const Motion *m, size_t at, unsigned held
         const bool hold = held >> a & 1;
         double acc = hold ? 0 : f * inverse * scale;
         if (stopped >> a & 1) acc = -in[1 + a] * inverse / dt;
-        const double v = hold ? 0 : in[1 + a] * inverse + acc * dt;
+        const double v = hold ? drive[a] : in[1 + a] * inverse + acc * dt;
         impulse[a] += m->given.a_share * in[1 + DIM] * acc;
         impulse[a] += m->given.v_share * in[1 + DIM] * v;
         out[a] = v;
@@ -113,6 +143,8 @@ static void solve_row(Sim *sim, const Motion *motion, int row)
     const size_t start = (size_t)row * (size_t)g->n[0];
     const unsigned held = row_hold(g, row);
     int lo = g->lo[row], hi = g->hi[row], live = 0;
+    Vec drive;
+    row_drive(g, row, drive);
     for (int k = 0; k < g->nmirror; k++) {
         const Mirror *m = &g->mirror[k];
         if (m->axis == 0 && m->side < 0 && lo < m->at) lo = m->at;
@@ -126,10 +158,11 @@ static void solve_row(Sim *sim, const Motion *motion, int row)
         const unsigned stops = g->nstop ? sim_stops(g, row, i, motion->dt * motion->scale) : 0;
         if (g->mass) g->mass[at] = empty ? 0 : mass;
         live += !empty;
+        if (g->drive[0]) drive[0] = g->drive[0][i];
         if (empty)
             clear_node(g, motion, at, fixed | stops, g->impulse[row]);
         else
-            solve_node(g, motion, at, fixed | stops, motion->force ? stops & ~fixed : 0,
+            solve_node(g, motion, at, fixed | stops, motion->force ? stops & ~fixed : 0, drive,
                        g->impulse[row]);
     }
     g->live[row] = live;
@@ -146,6 +179,7 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
     if (motion.early && force) record_forces(sim, &motion);
     if (sim->setup->reactions && force && g->force) record_outside(sim, dt * scale);
     if (g->nmirror) mirror_fold(sim);
+    if (g->work && force) record_wall_work(sim, dt);
     if (sim->method.repair) sim->method.repair(sim, dt * scale);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
@@ -157,6 +191,7 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
     for (int row = 0; row < g->rows; row++) {
         if (g->lo[row] < g->hi[row]) live += g->live[row];
         for (int a = 0; a < DIM; a++) sim->impulse[a] += g->impulse[row][a];
+        if (g->work && force) sim->driven += g->work[row];
     }
     sim->live = live;
     if (live > sim->nodes) sim->nodes = live;

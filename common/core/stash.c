@@ -36,6 +36,7 @@ void sim_stash(Sim *sim, Stash *s)
     STASH(s, sim->live);
     STASH(s, sim->impulse);
     STASH(s, sim->outside);
+    STASH(s, sim->driven);
     STASH(s, sim->dt_before);
     STASH(s, sim->moved);
     STASH(s, sim->fallbacks);

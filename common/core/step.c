@@ -160,6 +160,7 @@ static void open_step(Sim *sim, double t)
     sim->moved = false;
     if (sim->status.code == OK) sort_if_due(sim);
     if (sim->status.code == OK) impose_motion(sim, t);
+    mirror_move_walls(sim, t);
 }
 
 /* What the accelerations of this step are multiplied by. */

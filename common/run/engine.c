@@ -40,7 +40,7 @@ static void say_scale(const Info *info, const Scene *scene, FILE *out)
 {
     if (!info->scale)
         fprintf(out, "errors over\tnothing: no exact solution\n");
-    else if (scene->problem->projection)
+    else if (scene->problem->projection || isnan(scene->error_scale))
         fprintf(out, "errors over\t%s\n", info->scale);
     else
         fprintf(out, "errors over\t%s\t%.9g m\n", info->scale, scene->error_scale);

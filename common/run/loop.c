@@ -165,6 +165,5 @@ void loop_record_work(Loop *l, double t)
                             ledger_work(scene, &p, from, t + l->dt, &l->scratch));
         keep_positions(l, &p);
     }
-    const bool more = scene->traction || scene->problem->part;
-    l->work = l->bodies + (more ? l->plan->solver->work(l->self) : 0);
+    l->work = l->bodies + l->plan->solver->work(l->self);
 }

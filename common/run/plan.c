@@ -138,6 +138,7 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
     for (int l = 0; l < 3; l++)
         for (int k = 0; k < param_count(lists[l]); k++) {
             if (has_two_defaults(spec, plan, lists[l][k].name)) continue;
+            if (info_param_is_path(&lists[l][k])) continue; /* as typed, or absent */
             info_param_print(&lists[l][k], values[l][k], text);
             snprintf(pair, sizeof pair, "%s=%s", lists[l][k].name, text);
             if (spec_set(spec, pair, fault)) return FAULT_USAGE;
@@ -177,8 +178,12 @@ static int make_scene(const RunSpec *spec, Plan *plan, Fault *fault)
     scene->cell = 1.0 / spec->cells;
     if (read_params(spec, scene->problem->info.params, plan->problem_par, fault))
         return FAULT_USAGE;
+    for (const Param *p = scene->problem->info.params; p && p->name; p++)
+        if (info_param_is_path(p) && spec_get(spec, p->name))
+            scene->text = strcpy(plan->text, spec_get(spec, p->name));
     if (scene->problem->init(scene, why))
         return fault_set(fault, FAULT_USAGE, "--set: %s: %s", spec->problem, why);
+    if (scene->problem->complete) scene->problem->complete(scene, plan->problem_par);
     return 0;
 }
 

@@ -15,6 +15,7 @@ typedef struct Plan {
     const Info *method; /* info of the method or solver */
     const Info *second; /* of the second body's method, or NULL: the same */
     double problem_par[MAX_PARAMS], method_par[MAX_PARAMS], second_par[MAX_PARAMS];
+    char text[SETTING_TEXT]; /* the problem's parameter that is the name of a file */
     double cfl, t_end;
     long steps;       /* stop after so many; 0: no limit */
     bool adaptive;    /* the step is chosen anew every time, W11 eq 34 */

@@ -24,10 +24,9 @@ static double invert(double M[DIM + 1][DIM + 1])
 }
 
 /* The moment matrix, `more` times M00 added to its slopes; inverted in place. */
-static bool invert_moments(const Line m, double more, double M[DIM + 1][DIM + 1])
+static bool invert_moments(const Line m, double more, double least, double M[DIM + 1][DIM + 1])
 {
     const double total = m[M_ONE];
-    double least = 1e-10;
     for (int d = 0; d <= DIM; d++) least *= total;
     M[0][0] = total;
     for (int d = 0; d < DIM; d++) {
@@ -45,16 +44,16 @@ static void fall_back(Line fit[FIT], double total)
     for (int d = 0; d < DIM; d++) fit[FIT_SLOPE + d] = (Line){0};
 }
 
-bool wls_solve(Line fit[FIT], bool near, double hermite)
+bool wls_solve(Line fit[FIT], bool near, double hermite, double least)
 {
     double M[DIM + 1][DIM + 1], V[DIM + 1][DIM + 1];
     const double total = fit[FIT_MOMENTS][M_ONE];
-    const bool whole = near && invert_moments(fit[FIT_MOMENTS], 0, M);
+    const bool whole = near && invert_moments(fit[FIT_MOMENTS], 0, least, M);
     if (!whole) {
         fall_back(fit, total);
         return false;
     }
-    if (hermite > 0) invert_moments(fit[FIT_MOMENTS], hermite, V);
+    if (hermite > 0) invert_moments(fit[FIT_MOMENTS], hermite, least, V);
     Line c[DIM + 1];
     for (int k = 0; k <= DIM; k++) {
         c[k] = (Line){0};

@@ -23,6 +23,13 @@ unsigned wls_held(const Grid *g, int row, int i)
     return held;
 }
 
+double wls_drive(const Grid *g, int row, int i, int a)
+{
+    int index[DIM];
+    wls_index_of(g, row, i, index);
+    return g->drive[a] ? g->drive[a][index[a]] : 0;
+}
+
 void wls_book_change(Sim *sim, int row, size_t at, double dt, const Line before, unsigned held)
 {
     const Line node = sim->g.node[at];
@@ -79,10 +86,12 @@ static void finish_row(Sim *sim, int row, double dt)
         const Line before = g->node[at];
         if (!(in.row[I_SUM] > 0)) continue;
         const unsigned stops = w->stops[at], held = wls_held(g, row, i) | stops;
-        for (int a = 0; a < DIM; a++)
-            if (held >> a & 1)
-                g->impulse[row][a] +=
-                    dt * (in.product[I_A + a] - in.row[I_SUM] * in.factor[I_A + a]);
+        for (int a = 0; a < DIM; a++) {
+            const double borne = in.product[I_A + a] - in.row[I_SUM] * in.factor[I_A + a];
+            if (!(held >> a & 1)) continue;
+            g->impulse[row][a] += dt * borne;
+            if (g->work) g->work[row] += dt * borne * wls_drive(g, row, i, a);
+        }
         if (!wls_is_sound(sim, at)) continue;
         if (w->sharpened) wls_velocity_finish(sim, at, row, i, held);
         for (int a = 0; a < DIM && w->corrected; a++) {

@@ -56,6 +56,11 @@
                        "nodes whose largest weight is less are spurious", "W11 3.5"),              \
             WLS_NUMBER(P_SURFACE_PER_CELL, "surface_per_cell", 0, 64,                              \
                        "surface points per cell; 0: as dense as particles", "W11 3.3"),            \
+            WLS_CHOICE(                                                                            \
+                P_CONDITION, "condition", CONDITION_WEIGHT, 2,                                     \
+                "spurious nodes: no particle within the trigger weight; the moments' determinant " \
+                "vanishes; or fewer particles than a plane needs",                                 \
+                "W11 3.5", "weight|determinant|count"),                                            \
         {                                                                                          \
             NULL, 0, 0, 0, NULL, NULL, NULL, NULL                                                  \
         }                                                                                          \

@@ -29,6 +29,8 @@ bool wls_make(Sim *sim)
     w->lagged = w->corrected && (int)par[P_MOTION] == MOTION_LAGGED;
     w->hermite = par[P_HERMITE] * par[P_HERMITE];
     w->trigger = par[P_TRIGGER];
+    w->condition = (int)par[P_CONDITION];
+    if (w->condition == CONDITION_COUNT) w->count = nodes_of(n, sizeof *w->count);
     w->inside =
         2 * sim->setup->ppc / (double)CORNERS; /* the paper's 2, at its two particles an axis */
     const double denser = sim->method.surface_per_cell / pow(sim->setup->ppc, 1.0 / DIM);
@@ -48,7 +50,8 @@ bool wls_make(Sim *sim)
     w->distance = nodes_of(n, sizeof *w->distance);
     w->good = nodes_of(n, 1);
     w->fallbacks = calloc((size_t)g->rows, sizeof *w->fallbacks);
-    return w->fit && w->skin && w->skinned && w->most && w->distance && w->good && w->fallbacks &&
+    return (w->count || w->condition != CONDITION_COUNT) && w->fit && w->skin && w->skinned &&
+           w->most && w->distance && w->good && w->fallbacks &&
            ((w->inertia && w->cell_mass && w->stops) || !(w->corrected || w->sharpened)) &&
            (w->bend || w->distance_by != DISTANCE_CURVED);
 }
@@ -56,7 +59,8 @@ bool wls_make(Sim *sim)
 void wls_free(Sim *sim)
 {
     Wls *w = wls_of(sim);
-    free(w->fit), free(w->skin), free(w->inertia), free(w->most), free(w->distance), free(w->good);
+    free(w->count), free(w->fit), free(w->skin), free(w->inertia), free(w->most), free(w->distance),
+        free(w->good);
     free(w->cell_mass), free(w->stops), free(w->skinned), free(w->bend), free(w->fallbacks);
     free(w);
 }
@@ -79,8 +83,7 @@ static void solve_row(Sim *sim, int row)
     w->fallbacks[row] = 0;
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-        w->good[at] = w->most[at] > w->trigger;
-        const bool whole = wls_solve(w->fit[at], w->good[at], w->hermite);
+        const bool whole = wls_solve_node(w, at);
         w->fallbacks[row] += !whole && w->fit[at][FIT_MOMENTS][M_BETA] > 0;
     }
 }
@@ -89,6 +92,7 @@ void wls_assemble(Sim *sim, double t, bool force)
 {
     const Grid *g = &sim->g;
     wls_deposit(sim, t, force);
+    if (wls_of(sim)->count) wls_count(sim);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row]) {

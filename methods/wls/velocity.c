@@ -23,7 +23,8 @@ void wls_velocity_start(Sim *sim, size_t at, int row, int i, unsigned held)
         wls_index_of(&sim->g, row, i, index);
         wls_velocity_at(sim, index, v);
     }
-    for (int a = 0; a < DIM; a++) w->inertia[at].factor[I_V + a] = held >> a & 1 ? 0 : v[a];
+    for (int a = 0; a < DIM; a++)
+        w->inertia[at].factor[I_V + a] = held >> a & 1 ? wls_drive(&sim->g, row, i, a) : v[a];
 }
 
 /* Are all neighbours of a node good, as far as they are not beyond a wall? */

@@ -3,6 +3,7 @@
  *   wls/moments.c   particles to moments and loads of every node (eqs 7-9)
  *   wls/fold.c      symmetry lines
  *   wls/fit.c       planes from them (eqs 10-12)
+ *   wls/condition.c which nodes are spurious (3.5)
  *   wls/surface.c   signed distance of nodes from flagged surface points (eqs 13-17)
  *   wls/bend.c      distance and curvature of curved surfaces
  *   polygon.c, polyhedron.c, solid.c  marching squares and cubes: the shape of a cut cell (eq 18)
@@ -42,10 +43,12 @@ enum {
     P_MOTION,
     P_HERMITE,
     P_TRIGGER,
-    P_SURFACE_PER_CELL
+    P_SURFACE_PER_CELL,
+    P_CONDITION
 };
 enum { STRESS_LINEAR, STRESS_C0 };
 enum { QUADRATURE_CENTROID, QUADRATURE_EXACT };
+enum { CONDITION_WEIGHT, CONDITION_DETERMINANT, CONDITION_COUNT };
 enum { DISTANCE_WEIGHTED_MEAN, DISTANCE_NORMALS, DISTANCE_CURVED, DISTANCE_EXACT };
 enum { SPURIOUS_CONSTANT, SPURIOUS_EXTRAPOLATE };
 enum { RETURN_LINEAR, RETURN_SPLINE };
@@ -114,6 +117,8 @@ typedef struct Wls {
     int distance_by;
     double hermite; /* g^2: weight of gradients in the fit of v */
     double trigger;
+    int condition;        /* how spurious nodes are told: see the parameter */
+    int *count;           /* [nodes] particles that a node has, or NULL */
     double inside;        /* nodes with more beta are inside, eq 14 */
     double surface_beta;  /* beta of a surface point: 1, less where they are denser */
     Line (*fit)[FIT];     /* [nodes] */
@@ -150,9 +155,14 @@ void wls_deposit(Sim *sim, double t, bool force);
 void wls_fold(Sim *sim);
 
 /* Coefficients of one node's functions in place of its loads. `hermite` = g^2 > 0: the loads of v
- * hold g^2 h L, too. Returns false if the node fell back to c0: no particle within the trigger
- * weight, or moments that do not determine a plane. */
-bool wls_solve(Line fit[FIT], bool near, double hermite);
+ * hold g^2 h L, too. Returns false if the node fell back to c0: it is not `near` enough to
+ * particles, or the determinant of its moments is at most `least` M_00^(DIM + 1). */
+bool wls_solve(Line fit[FIT], bool near, double hermite, double least);
+
+/* Counts the particles that every node has, where that tells spurious nodes. Then solves for the
+ * planes of a node and decides whether it is good; false: it fell back to c0. */
+void wls_count(Sim *sim);
+bool wls_solve_node(Wls *w, size_t at);
 
 /* Surface point p of a chunk to the surface sums of its 2^DIM nodes. */
 void wls_skin_point(Sim *sim, const Chunk *c, int p);
@@ -199,6 +209,9 @@ void wls_hold_back(const Sim *sim, size_t at, const int index[DIM], double dt, d
 /* Components that a wall holds or a symmetry line cancels at node i of a row; internal and body
  * force of a node. */
 unsigned wls_held(const Grid *g, int row, int i);
+
+/* Velocity along axis a of a node that a moving wall holds; 0 of one that none does. */
+double wls_drive(const Grid *g, int row, int i, int a);
 double wls_whole_force(const Grid *g, size_t at, int a);
 
 /* After a node's internal force was changed from that of the line `before`: the ledger has booked

@@ -89,7 +89,7 @@ static void test_gradients(void)
         }
     }
     memcpy(plain, fit, sizeof fit);
-    CU_ASSERT(wls_solve(fit, true, hermite) && wls_solve(plain, true, 0));
+    CU_ASSERT(wls_solve(fit, true, hermite, 1e-10) && wls_solve(plain, true, 0, 1e-10));
     for (int a = 0; a < DIM; a++) {
         CHECK_CLOSE(fit[FIT_VALUE][Q_V + a], value[a], 1e-13);
         for (int d = 0; d < DIM; d++) CHECK_CLOSE(fit[FIT_SLOPE + d][Q_V + a], slope[a][d], 1e-13);

@@ -137,7 +137,7 @@ static void test_fits(void)
             for (int d = 0; d <= DIM; d++) field[q][d] = random_in(-1, 1);
         sample(fit, samples, in_line, field);
         const bool fits = samples > DIM && !in_line;
-        CU_ASSERT_EQUAL(wls_solve(fit, true, 0), fits);
+        CU_ASSERT_EQUAL(wls_solve(fit, true, 0, 1e-10), fits);
         for (int q = 0; q < QUANTITIES; q++)
             for (int d = 0; d <= DIM; d++) {
                 CU_ASSERT(isfinite(fit[FIT_VALUE + d][q]));
@@ -145,7 +145,7 @@ static void test_fits(void)
                 if (!fits && d) CHECK_CLOSE(fit[FIT_VALUE + d][q], 0, 0);
             }
         sample(fit, 8, false, field);
-        CU_ASSERT(!wls_solve(fit, false, 0)); /* no particle near */
+        CU_ASSERT(!wls_solve(fit, false, 0, 1e-10)); /* no particle near */
     }
 }
 
@@ -200,11 +200,66 @@ static void test_distances(void)
     }
 }
 
+/* What a node has of all particles and of their images beyond both symmetry lines: how many, the
+ * largest weight, and the determinant of their moments over M_00^3. */
+static void look_at_node(const Sim *sim, const double at[2], int *count, double *most, double *det)
+{
+    double m[6] = {0};
+    *count = 0;
+    *most = 0;
+    for (int k = 0; k < 4 * sim->p.n; k++) {
+        const int p = k / 4;
+        double r[2], W = sim->p.id[p] >= 0 ? 1 : 0;
+        for (int d = 0; d < 2; d++) {
+            const double x = sim->p.field[AT_X + d][p] * sim->g.cells;
+            r[d] = (k >> d & 1 ? -x : x) - at[d];
+            const double a = fabs(r[d]);
+            W *= a < 0.5 ? 0.75 - a * a : a < 1.5 ? 0.5 * (1.5 - a) * (1.5 - a) : 0;
+        }
+        const double f[6] = {1, r[0], r[1], r[0] * r[0], r[0] * r[1], r[1] * r[1]};
+        for (int q = 0; q < 6; q++) m[q] += W * f[q];
+        *count += W > 0;
+        *most = fmax(*most, W);
+    }
+    *det = m[0] * (m[3] * m[5] - m[4] * m[4]) - m[1] * (m[1] * m[5] - m[4] * m[2]) +
+           m[2] * (m[1] * m[4] - m[3] * m[2]);
+    *det /= pow(m[0], 3);
+}
+
+/* Nodes are spurious by the test that the run names. */
+static void test_conditions(void)
+{
+    static const char *const sets[] = {"condition=weight", "condition=determinant",
+                                       "condition=count"};
+    int spurious[3] = {0};
+    for (int c = 0; c < 3; c++) {
+        Trial t;
+        trial_open(&t, "ring", "wls2", 8, sets[c], 1);
+        wls_assemble(t.sim, 0, true);
+        const Grid *g = &t.sim->g;
+        for (int row = -g->origin[1]; row < g->rows; row++)
+            for (int i = g->lo[row]; i < g->hi[row]; i++) {
+                const double at[] = {i + g->origin[0], row + g->origin[1]};
+                int count;
+                double most, det;
+                look_at_node(t.sim, at, &count, &most, &det);
+                if (at[0] < 0 || count == 0) continue;
+                const bool good = c == 0 ? most > 0.25 : c == 1 ? det > 1e-10 : count > 2;
+                const bool is = wls_of(t.sim)->good[(size_t)row * (size_t)g->n[0] + (size_t)i];
+                if (c < 2 || !good || det > 1e-12) CU_ASSERT_EQUAL(is, good);
+                spurious[c] += !is;
+            }
+        trial_close(&t);
+    }
+    CU_ASSERT(spurious[0] > spurious[1] && spurious[1] >= spurious[2]);
+}
+
 static const TestCase tests[] = {
     {"what is in and what is out fill the square, all 16 masks", test_masks_complete},
     {"centroids have the area and first moments", test_centroids},
     {"triangle, quadrilateral, pentagon, square, saddle", test_known_shapes},
     {"fits give linear fields back, or the mean", test_fits},
+    {"spurious nodes by weight, determinant, count", test_conditions},
     {"distances are of second order, areas right", test_distances},
     {NULL, NULL},
 };

@@ -125,8 +125,9 @@ static void history(FILE *f, const Case *c)
     fputs("t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume\n", f);
     for (int k = 0; k <= n; k++) {
         const double t = c->spec.t_end * k / n, half = 0.5 + 0.5 * cos(3.4 * t) * cos(3.4 * t);
-        fprintf(f, "%.10g,%.8g,%.8g,0,%.8g,1,%.8g,%.8g,%.10g,1\n", t, half, 1 - half + 1e-6 * k,
-                1 + 1e-6 * k, half, 1e-6 * k, c->spec.t_end / n);
+        const double work = is(c, "scan") ? 1e-6 * k : 0;
+        fprintf(f, "%.10g,%.8g,%.8g,%.8g,%.8g,1,%.8g,%.8g,%.10g,1\n", t, half, 1 - half + 1e-6 * k,
+                work, 1 + 1e-6 * k, half, 1e-6 * k, c->spec.t_end / n);
     }
 }
 
@@ -138,8 +139,8 @@ static void point(FILE *f, const Case *c, double X, double Y)
     if (c->spec.samples)
         fprintf(f, "%g,%g,0,%g,1,0\n", 2 + X, 1 + Y, 1e9 * (1 + X));
     else
-        fprintf(f, "%g,%g,1,0,0,1.001,%g,%g,%g,1,0,%g\n", 0.6 + Y, 0.5 - X, 2 + X, 1 + Y,
-                1e9 * (1 + X), 1 + X);
+        fprintf(f, "%g,%g,1,0,0,1.001,%g,%g,%g,1,%d,%g\n", 0.6 + Y, 0.5 - X, 2 + X, 1 + Y,
+                1e9 * (1 + X), is(c, "scan"), 1 + X);
 }
 
 static void points(FILE *f, const Case *c)
