@@ -42,11 +42,10 @@ static void cases(Cases *list, bool quick)
                       m, BLOCK_CELLS);
 }
 
-/* Is the node within so much of the middle of the scene, along all axes? */
-static bool is_inside(const Table *nodes, int row, double most)
+/* Is the node within so much of the middle of the scene along this axis? */
+static bool is_inside(const Table *nodes, int row, const char *axis, double most)
 {
-    const double y = select_number(nodes, row, "y");
-    return fabs(select_number(nodes, row, "x") - 1.5) < most && !(fabs(y - 1.5) >= most);
+    return fabs(select_number(nodes, row, axis) - 1.5) < most;
 }
 
 /* Largest error of the mass of a node inside the bar. NAN: no file. */
@@ -55,7 +54,7 @@ static double mass_error(const Results *r, const char *method, int count)
     const Table *nodes = results_run(r, "bar.%s.%d", method, count);
     double most = -INFINITY;
     for (int i = 0; i < nodes->nrow; i++)
-        if (is_inside(nodes, i, 0.3))
+        if (is_inside(nodes, i, "x", 0.3))
             most = measure_worse(most, fabs(select_number(nodes, i, "mass") * BAR_CELLS - 1));
     return isinf(most) ? NAN : most;
 }
@@ -68,7 +67,7 @@ static double force_inside(const Results *r, const char *method)
     double most = -INFINITY;
     for (int i = 0; i < nodes->nrow; i++) {
         const double m = select_number(nodes, i, "mass") / (dt * 1e4 * h);
-        if (!is_inside(nodes, i, 0.2)) continue;
+        if (!is_inside(nodes, i, "x", 0.2) || !is_inside(nodes, i, "y", 0.2)) continue;
         most = measure_worse(most, fabs(m * select_number(nodes, i, "vx")));
         most = measure_worse(most, fabs(m * select_number(nodes, i, "vy")));
     }

@@ -186,8 +186,8 @@ static void nodes(FILE *f, const Case *c)
     fputs("id,x,y,mass,vx,vy\n", f);
     for (int j = from; j <= (bar ? from : to); j++)
         for (int i = from; i <= to; i++)
-            fprintf(f, "%d,%.10g,%.10g,%g,%.10g,0\n", i, i / n, bar ? 0 : j / n, 1 / n,
-                    1 + i / n + 1e-3 * spread(i + j));
+            fprintf(f, "%d,%.10g,%.10g,%g,%.10g,0\n", i, i / n, bar ? 0 : j / n,
+                    (1 + 1e-3 * spread(i)) / n, 1 + i / n + 1e-3 * spread(i + j));
 }
 
 static void patches(FILE *f, const Case *c)
