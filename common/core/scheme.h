@@ -289,8 +289,7 @@ static inline void pack_payload(const Sim *sim, Work *w, bool affine)
             for (int k = 0; k < NMAT; k++) w->B[p][FLUX + k] = sim->dx * q->B[k / DIM][k % DIM][p];
 }
 
-/* Sums from lines to fields, from lane `at` on; the lanes from FLUX on are scaled: per cell to per
- * metre for derivatives, cells to metres for moments. */
+/* Lines to fields, from lane `at` on; from FLUX on per cell to per metre, or cells to metres. */
 static inline void unpack_sums(Work *w, int at, double scale)
 {
     four_fields_from_lines(w->A, w->sums + at);
