@@ -50,23 +50,23 @@ static Measure reach(const Results *r, const char *method, const char *column)
 static void check(Check *c, const Results *r)
 {
     claim(c, "T-8.fem-error",
-          "shell: largest error of FEM with integrated body force at N = 8 over GIMP's at N = 16",
+          "Shell: largest error of FEM with integrated body force at N = 8 over GIMP's at N = 16",
           measure_ratio(of(r, "error_linf", "fem", 0.9, 8), of(r, "error_linf", "gimp", 0.3, 16)),
           0.5, 1);
     claim(c, "T-8.fem-time",
-          "shell: CPU time of GIMP at N = 16 over that of FEM at N = 8, CFL .9, whose error is "
+          "Shell: CPU time of GIMP at N = 16 over that of FEM at N = 8, CFL .9, whose error is "
           "smaller",
           measure_ratio(of(r, "cpu_s", "gimp", 0.3, 16), of(r, "cpu_s", "fem", 0.9, 8)), 3, 300);
-    claim(c, "T-8.wls2-error", "shell: largest error of WLS2 at N = 16 over that of GIMP at N = 24",
+    claim(c, "T-8.wls2-error", "Shell: largest error of WLS2 at N = 16 over that of GIMP at N = 24",
           measure_ratio(of(r, "error_linf", "wls2", 0.3, 16), of(r, "error_linf", "gimp", 0.3, 24)),
           0.5, 1);
     claim(c, "T-8.wls2-time",
-          "shell: CPU time of GIMP at N = 24 over that of WLS2 at N = 16, whose error is smaller",
+          "Shell: CPU time of GIMP at N = 24 over that of WLS2 at N = 16, whose error is smaller",
           measure_ratio(of(r, "cpu_s", "gimp", 0.3, 24), of(r, "cpu_s", "wls2", 0.3, 16)), 0.5, 4);
-    claim(c, "T-8.ge-wls-time", "shell to 1e-3: CPU time of GE-WLS over FEM's, each at its best",
+    claim(c, "T-8.ge-wls-time", "Shell to 1e-3: CPU time of GE-WLS over FEM's, each at its best",
           measure_ratio(reach(r, "ge_wls", "seconds"), reach(r, "fem", "seconds")), 2, 60);
     claim(c, "T-8.ge-wls-steps",
-          "shell to 1e-3: particle-steps of GE-WLS over element-steps of FEM, each at its best",
+          "Shell to 1e-3: particle-steps of GE-WLS over element-steps of FEM, each at its best",
           measure_ratio(reach(r, "ge_wls", "work"), reach(r, "fem", "work")), 0.1, 3);
 }
 

@@ -172,23 +172,23 @@ static void check(Check *c, const Results *r)
         curve_pick(&curve, t, "cells", "error", "rule=%s", rules[rule]);
         const Measure order = measure_times(curve_order(&curve, 8, 24, MESHES), -1);
         claim(c, phrase("T-9.%s", rules[rule]),
-              phrase("volume of a shell's cells, order of its error, N = 8 to 24: %s", names[rule]),
+              phrase("Volume of a shell's cells, order of its error, N = 8 to 24: %s", names[rule]),
               order, low[rule], high[rule]);
         claim_note(c, rules[rule], order.value);
     }
     claim(c, "T-9.constant",
-          "volume of a shell's cells with exact distances: error times N^2 at N = 24 over that of "
+          "Volume of a shell's cells with exact distances: error times N^2 at N = 24 over that of "
           "spheres cut flat, .597 (R - r)/(R^3 - r^3)",
           measure_times(select_value(t, "error", "rule=exact cells=24"), 24 * 24 / 0.341), 0.95,
           1.05);
-    claim(c, "T-9.cases", "marching cubes: masks that differ under rotations and complement",
+    claim(c, "T-9.cases", "Marching cubes: masks that differ under rotations and complement",
           measure_formula(find_cases(mask)), SHAPES, SHAPES);
     for (int m = 0; m < MASKS; m++)
         worst =
             measure_worse(worst, fabs(volume_of(m, 0.8, 1) + volume_of(MASKS - 1 - m, 1, 0.8) - 1));
     claim(
         c, "T-9.complement",
-        "marching cubes: volume of a shape and of its complement against the cube's, all 256 masks",
+        "Marching cubes: volume of a shape and of its complement against the cube's, all 256 masks",
         measure_formula(worst), 0, 1e-15);
 }
 

@@ -17,10 +17,11 @@ static const char dir[] = "scratch/trial";
 /* Lists of claims; what ends in a point stands for all that begin so. Of formulas: no run needed.
  */
 static const char *const formulas[] = {
-    "W07-2.",         "W11-2.masks",    "W11-2.smooth",      "W11-3.circular",
-    "H-5.tent-omega", "H-5.gimp-omega", "H-5.bspline-omega", NULL};
+    "T-9.cases",      "T-9.complement", "W07-2.",         "W11-2.masks",       "W11-2.smooth",
+    "W11-3.circular", "H-5.tent-omega", "H-5.gimp-omega", "H-5.bspline-omega", NULL};
 /* Formulas that are in no table either. */
-static const char *const no_table[] = {"W11-2.masks", "W11-2.smooth", "W11-3.circular", NULL};
+static const char *const no_table[] = {"W11-2.masks", "W11-2.smooth",   "W11-3.circular",
+                                       "T-9.cases",   "T-9.complement", NULL};
 /* That no run is lost (or what one is worth that is): one that is must tell. */
 static const char *const none_lost[] = {"W07-12.gimp-lost",
                                         "W07-12.ge-gimp-lost",
@@ -46,7 +47,9 @@ static const char *const none_lost[] = {"W07-12.gimp-lost",
                                         NULL};
 /* That some runs are lost, or where that begins; or the best of many runs, or of those not lost,
  * of which there must be so many. */
-static const char *const some_lost[] = {"T-10.vortex-wls2",
+static const char *const some_lost[] = {"T-8.ge-wls-time",
+                                        "T-8.ge-wls-steps",
+                                        "T-10.vortex-wls2",
                                         "T-10.bar",
                                         "W07-12.mpm-lost-2",
                                         "W07-12.mpm-lost-5",
