@@ -172,7 +172,7 @@ static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, c
         d[k] = w->distance[corner[k]];
         if (w->bend) bend[k] = w->bend[corner[k]];
     }
-    const int n = wls_cell_points(d, w->bend ? bend : NULL, w->exact, xi, weight);
+    const int n = wls_cell_points(d, w->bend ? bend : NULL, w->quadrature, xi, weight);
     for (int q = 0; q < n; q++) {
         shape_at(xi[q], &shape);
         take_point(sim, corner, xi[q], &shape, weight[q], task, lost);

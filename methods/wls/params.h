@@ -18,9 +18,10 @@
         WLS_CHOICE(P_STRESS, "stress", STRESS_LINEAR, 1,                                           \
                    "values at a point from the nodes' linear functions, or their values only",     \
                    "W11 eqs 19-21", "linear|c0"),                                                  \
-            WLS_CHOICE(P_QUADRATURE, "quadrature", quadrature, 1,                                  \
-                       "cut cells: one point at the centroid, or exact for bilinear functions",    \
-                       "W11 3.4.2", "centroid|exact"),                                             \
+            WLS_CHOICE(P_QUADRATURE, "quadrature", quadrature, 3,                                  \
+                       "cut cells: one point at the centroid; exact for bilinear functions; of "   \
+                       "16 Gauss points, or evenly spaced ones (4 an axis), those inside",         \
+                       "W11 3.4", "centroid|exact|gauss16|samples16"),                             \
             WLS_CHOICE(                                                                            \
                 P_DISTANCE, "distance", distance, 3,                                               \
                 "of nodes: to the mean of surface points, along their normals, along them on a "   \

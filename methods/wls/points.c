@@ -1,9 +1,11 @@
 /* points.c: where the part of a cell inside the body is integrated (W11 3.4): one point at the
- * centroid of each piece, or points that are exact for quadratic polynomials. See wls.h. */
+ * centroid of each piece; points that are exact for quadratic polynomials; or those of 16 points
+ * (4 an axis) that lie inside, which the paper discusses and drops (3.4.1). See wls.h. */
 #include <math.h>
 #include <string.h>
 #include "wls.h"
 #include "common/base/polygon.h"
+#include "common/base/samples.h"
 #include "common/base/solid.h"
 
 _Static_assert(DIM < 3 || (int)MAX_POINTS >= (int)MAX_SOLID_POINTS, "points of a cell");
@@ -86,9 +88,25 @@ static int cube_points(const double distance[CORNERS], const Bend *bend, bool ex
     return n;
 }
 
-int wls_cell_points(const double distance[CORNERS], const Bend *bend, bool exact,
+/* Straight surfaces alone: with curved ones, too, the chord decides what is inside. */
+static int sample_points(const double distance[CORNERS], bool gauss, double xi[MAX_POINTS][DIM],
+                         double weight[MAX_POINTS])
+{
+    double x[MOST_SAMPLES][3], share[MOST_SAMPLES];
+    const int n = samples_in_cell(DIM, distance, gauss, x, share);
+    for (int q = 0; q < n; q++) {
+        for (int a = 0; a < DIM; a++) xi[q][a] = x[q][a];
+        weight[q] = share[q];
+    }
+    return n;
+}
+
+int wls_cell_points(const double distance[CORNERS], const Bend *bend, int quadrature,
                     double xi[MAX_POINTS][DIM], double weight[MAX_POINTS])
 {
+    const bool exact = quadrature == QUADRATURE_EXACT;
+    if (quadrature >= QUADRATURE_GAUSS16)
+        return sample_points(distance, quadrature == QUADRATURE_GAUSS16, xi, weight);
     return DIM < 3 ? flat_points(distance, bend, exact, xi, weight)
                    : cube_points(distance, bend, exact, xi, weight);
 }

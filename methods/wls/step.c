@@ -19,7 +19,7 @@ bool wls_make(Sim *sim)
     Wls *w = sim->own = calloc(1, sizeof *w);
     if (!w) return false;
     w->linear = (int)par[P_STRESS] == STRESS_LINEAR;
-    w->exact = (int)par[P_QUADRATURE] == QUADRATURE_EXACT;
+    w->quadrature = (int)par[P_QUADRATURE];
     w->distance_by = (int)par[P_DISTANCE];
     w->extrapolate = (int)par[P_SPURIOUS] == SPURIOUS_EXTRAPOLATE;
     w->literal = (int)par[P_AVERAGE] == AVERAGE_LITERAL;

@@ -47,7 +47,7 @@ enum {
     P_CONDITION
 };
 enum { STRESS_LINEAR, STRESS_C0 };
-enum { QUADRATURE_CENTROID, QUADRATURE_EXACT };
+enum { QUADRATURE_CENTROID, QUADRATURE_EXACT, QUADRATURE_GAUSS16, QUADRATURE_SAMPLES16 };
 enum { CONDITION_WEIGHT, CONDITION_DETERMINANT, CONDITION_COUNT };
 enum { DISTANCE_WEIGHTED_MEAN, DISTANCE_NORMALS, DISTANCE_CURVED, DISTANCE_EXACT };
 enum { SPURIOUS_CONSTANT, SPURIOUS_EXTRAPOLATE };
@@ -112,9 +112,9 @@ typedef struct Bend {
 } Bend;
 
 typedef struct Wls {
-    bool linear, exact, extrapolate, literal, folded; /* choices: see the parameters */
-    bool corrected, sharpened, lagged;                /* mass, velocity, motion */
-    int distance_by;
+    bool linear, extrapolate, literal, folded; /* choices: see the parameters */
+    bool corrected, sharpened, lagged;         /* mass, velocity, motion */
+    int distance_by, quadrature;
     double hermite; /* g^2: weight of gradients in the fit of v */
     double trigger;
     int condition;        /* how spurious nodes are told: see the parameter */
@@ -183,7 +183,7 @@ bool wls_mirrored_cell(const Grid *g, int axis, int i);
  * distance, given at its corners (bit d of the number: far side of axis d), is positive; `bend` of
  * the corners, or NULL: straight. Returns their number. */
 enum { MAX_POINTS = IN_THIS_DIM(18, 18, 192) };
-int wls_cell_points(const double distance[CORNERS], const Bend *bend, bool exact,
+int wls_cell_points(const double distance[CORNERS], const Bend *bend, int quadrature,
                     double xi[MAX_POINTS][DIM], double weight[MAX_POINTS]);
 
 /* In 3D: the shape itself. */

@@ -35,7 +35,7 @@ static double cell_area(double x, double y, double R, bool outside, bool bent, d
         d[k] = sign * (R - r);
         bend[k] = (Bend){{sign * away[0] / r, sign * away[1] / r}, {sign / R}};
     }
-    const int n = wls_cell_points(d, bent ? bend : NULL, true, xi, weight);
+    const int n = wls_cell_points(d, bent ? bend : NULL, QUADRATURE_EXACT, xi, weight);
     first[0] = first[1] = 0;
     for (int q = 0; q < n; q++) {
         area += weight[q];

@@ -23,7 +23,7 @@ enum { MONOMIALS = 6 };
 static void integrate(const double d[4], double sum[MONOMIALS])
 {
     double xi[MAX_POINTS][DIM], w[MAX_POINTS];
-    const int n = wls_cell_points(d, NULL, true, xi, w);
+    const int n = wls_cell_points(d, NULL, QUADRATURE_EXACT, xi, w);
     for (int m = 0; m < MONOMIALS; m++) sum[m] = 0;
     for (int q = 0; q < n; q++) {
         const double x = xi[q][0], y = xi[q][1], f[MONOMIALS] = {1, x, y, x * x, x * y, y * y};
@@ -57,7 +57,7 @@ static void test_centroids(void)
             double d[4], exact[MONOMIALS], sum[3] = {0}, xi[MAX_POINTS][DIM], w[MAX_POINTS];
             random_cell(mask, d);
             integrate(d, exact);
-            const int n = wls_cell_points(d, NULL, false, xi, w);
+            const int n = wls_cell_points(d, NULL, QUADRATURE_CENTROID, xi, w);
             CU_ASSERT(n <= 2);
             for (int q = 0; q < n; q++) {
                 sum[0] += w[q];
@@ -174,7 +174,7 @@ static void surface_errors(int cells, const char *distance, double *error, doubl
             if (i + 1 >= g->hi[row] || i < g->lo[row + 1] || i + 1 >= g->hi[row + 1]) continue;
             for (int k = 0; k < 4 && w->bend; k++)
                 bend[k] = w->bend[(k > 1 ? up : at) + (size_t)(k & 1)];
-            const int n = wls_cell_points(d, w->bend ? bend : NULL, true, xi, weight);
+            const int n = wls_cell_points(d, w->bend ? bend : NULL, QUADRATURE_EXACT, xi, weight);
             for (int q = 0; q < n; q++) *area += weight[q] / cells / cells;
         }
     const double R = 0.5 + trial_displacement(&t, 0.5), Ro = 1 + trial_displacement(&t, 1);
@@ -197,6 +197,28 @@ static void test_distances(void)
         CU_ASSERT(mean > 1.5 * error);
         surface_errors(cells, "exact", &error, &unused);
         CHECK_CLOSE(error, 0, 2e-9); /* a node on the surface is inside */
+    }
+}
+
+/* 16 points of a whole cell: Gauss' are exact for x^7 y^7, even ones for 1, x, y; of a half, those
+ * in it. */
+static void test_sixteen_points(void)
+{
+    const double whole[4] = {1, 1, 1, 1}, half[4] = {0.5, -0.5, 0.5, -0.5};
+    for (int gauss = 0; gauss < 2; gauss++) {
+        double xi[MAX_POINTS][DIM], w[MAX_POINTS], sum = 0, x1 = 0, y7 = 0;
+        const int rule = gauss ? QUADRATURE_GAUSS16 : QUADRATURE_SAMPLES16;
+        CU_ASSERT_EQUAL(wls_cell_points(whole, NULL, rule, xi, w), 16);
+        for (int q = 0; q < 16; q++) {
+            sum += w[q];
+            x1 += w[q] * xi[q][0];
+            y7 += w[q] * pow(xi[q][0], 7) * pow(xi[q][1], 7);
+        }
+        CHECK_CLOSE(sum, 1, 1e-14);
+        CHECK_CLOSE(x1, 0.5, 1e-14);
+        CU_ASSERT((fabs(y7 - 1.0 / 64) < 1e-14) == gauss);
+        CU_ASSERT_EQUAL(wls_cell_points(half, NULL, rule, xi, w), 8);
+        for (int q = 0; q < 8; q++) CU_ASSERT(xi[q][0] < 0.5);
     }
 }
 
@@ -259,6 +281,7 @@ static const TestCase tests[] = {
     {"centroids have the area and first moments", test_centroids},
     {"triangle, quadrilateral, pentagon, square, saddle", test_known_shapes},
     {"fits give linear fields back, or the mean", test_fits},
+    {"16 points of a cell", test_sixteen_points},
     {"spurious nodes by weight, determinant, count", test_conditions},
     {"distances are of second order, areas right", test_distances},
     {NULL, NULL},
