@@ -12,6 +12,16 @@
  *               equal and opposite for the bodies; of a held body its own gradient (it does not
  *               move); of methods that reconstruct a surface (WLS) that surface's normal.
  *
+ * Positions and strains follow the velocities after P. Particles receive of P only the share
+ *
+ *   seen        [(a_a - a_b) . n dt + k w] / [(v_a - v_b) . n], at least 0 and at most 1, where w
+ * is the approach before acceleration and k = min(1, c dt/(2 h)),
+ *
+ * so that accelerations are equal at once, and the approach that is left in particle velocities
+ * decays in the time that a wave takes through two cells. With k = 1 every node that comes into
+ * contact stops in one step, a plastic impact: two disks then lose up to twice the energy (H-16).
+ * Where a method replaces particle velocities by the grid's (pic) they receive P at once.
+ *
  * Every pass of an integrator ends in this. In the pass that accelerates (all of cd and usl) v and
  * a change, so that particles receive P. The velocities that uvf, musl and usf project without
  * acceleration are corrected in the same way for positions and F, but no particle receives momentum
@@ -38,6 +48,8 @@ enum { WHOLE = (1 << DIM) - 1 };
 bool contact_make(Contact *c, Sim *a, Sim *b, ContactLaw law, double friction)
 {
     *c = (Contact){.body = {a, b}, .law = law, .friction = friction};
+    c->rate =
+        a->method.pic > 0 || b->method.pic > 0 ? INFINITY : 0.5 * a->setup->scene->c * a->g.cells;
     for (int d = 0; d < DIM; d++) c->shift[d] = a->g.origin[d] - b->g.origin[d];
     c->spent = calloc((size_t)a->g.rows, sizeof *c->spent);
     return c->spent != NULL;
@@ -119,9 +131,10 @@ static void set_motion(Grid *g, size_t at, int a, double v, double acc)
     for (int b = 0; b < DIM; b++) (*node)[FLUX + b * DIM + a] = v;
 }
 
-/* Gives P to the first body and -P to the second. What a wall takes out of a held body is its
- * impulse on the two. */
-static void give(Contact *c, const Spot *s, const double P[DIM], double dt, double impulse[DIM])
+/* Gives P to the first body and -P to the second, of which particles see a share. What a wall takes
+ * out of a held body is its impulse on the two. */
+static void give(Contact *c, const Spot *s, const double P[DIM], double seen, double dt,
+                 double impulse[DIM])
 {
     for (int k = 0; k < 2; k++)
         for (int a = 0; a < DIM; a++) {
@@ -129,10 +142,21 @@ static void give(Contact *c, const Spot *s, const double P[DIM], double dt, doub
             const Line node = g->node[s->at[k]];
             const double given = k ? -P[a] : P[a], dv = given / s->mass[k];
             if (s->held[k] >> a & 1)
-                impulse[a] -= given;
+                impulse[a] -= seen * given;
             else
-                set_motion(g, s->at[k], a, node[a] + dv, node[DIM + a] + dv / dt);
+                set_motion(g, s->at[k], a, node[a] + dv, node[DIM + a] + seen * dv / dt);
         }
+}
+
+/* Share of P that particles receive in this step. */
+static double find_share(const Contact *c, const Spot *s, const double n[DIM], double approach,
+                         double dt)
+{
+    const Line a = c->body[0]->g.node[s->at[0]], b = c->body[1]->g.node[s->at[1]];
+    const double k = fmin(1, c->rate * dt);
+    double pull = 0;
+    for (int d = 0; d < DIM; d++) pull += (a[DIM + d] - b[DIM + d]) * n[d] * dt;
+    return fmin(1, fmax(0, (pull + k * (approach - pull)) / approach));
 }
 
 /* Coulomb contact at one node; returns the work of friction on both bodies, P_t . (v_a - v_b) with
@@ -153,8 +177,9 @@ static double collide(Contact *c, const Spot *s, double dt, double impulse[DIM])
     const double share = slip > bound ? bound / slip : 1; /* 1: they stick */
     for (int d = 0; d < DIM; d++)
         P[d] = -(approach * n[d] + (slip > 0 ? share * v[d] : 0)) / inverse;
-    give(c, s, P, dt, impulse);
-    return -share * (1 - share) * square / inverse;
+    const double seen = find_share(c, s, n, approach, dt);
+    give(c, s, P, seen, dt, impulse);
+    return -seen * share * (1 - share) * square / inverse;
 }
 
 /* One velocity and acceleration for both bodies; 0 where a wall holds one of them, which then bears

@@ -9,6 +9,7 @@ typedef struct Contact {
     Sim *body[2];
     ContactLaw law;
     double friction; /* [-] coefficient of Coulomb friction */
+    double rate;     /* [1/s] at which particle velocities lose their approach */
     int shift[DIM];  /* node i of the first grid is node i + shift of the second */
     double work;     /* [J] of friction so far, <= 0 */
     double *spent;   /* [rows of the first grid] that of this step */

@@ -2,8 +2,8 @@
  *
  * Coulomb contact at shared grid nodes (Bardenhagen et al. 2001) knows velocities, not distances:
  * bodies meet as soon as they reach a common node, too early by a distance that is measured in
- * cells. It is inelastic at every node that comes into contact, a loss of energy of first order in
- * h. And it is defined for one projection a step. */
+ * cells. Every node that comes into contact loses the energy of its approach, a loss of first order
+ * in h. And it is defined for one projection a step. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,7 @@ static const double bar_contact = 2; /* [m] problems/collinear_bars.c */
 /* Methods of both dimensions with a grid. */
 #define FOR_GRID_METHODS(m)                                                                        \
     for (const Info *const *m = engine_2d.methods; *m; m++)                                        \
-        if (engine_has_grid(&engine_2d, (*m)->name))
+        if (!(*m)->on_request && engine_has_grid(&engine_2d, (*m)->name))
 
 static void bar_cases(Cases *list, bool quick)
 {
@@ -100,7 +100,7 @@ static Measure early_gap(const Results *r, const char *method, int cells)
 {
     char part[64];
     snprintf(part, sizeof part, "gap.%s", method);
-    Table *t = results_left(r, part);
+    Table *t = results_file(r, part);
     double when = NAN;
     for (int k = 0; t && k < t->nrow && isnan(when); k++)
         if (fabs(select_number(t, k, "kinetic") / select_number(t, 0, "kinetic") - 1) > 1e-6)
@@ -184,8 +184,9 @@ static void check_bars(Check *c, const Results *r)
     claim_differs(c, "H-16.bars-gimp",
                   "Two bars exchange their mean velocities, GIMP at h = 1/100: share exchanged",
                   exchanged(r, "gimp", 100), 0.98, 1, 0.975, 0.98,
-                  "the release wave that ends the contact has been spread by the grid over "
-                  "h^(2/3): the bars part while its tail is still to come");
+                  "the grid spreads the release wave that ends the contact, so that the bars part "
+                  "early: the loss goes as h^(2/3) at any time step, and a chain of 100 masses and "
+                  "springs that meets a wall loses .014, too");
     Measure e = select_value(r->rows, "error_l2",
                              "problem=collinear_bars method=gimp cells=50 gap=0"),
             fine = select_value(r->rows, "error_l2",
@@ -196,7 +197,7 @@ static void check_bars(Check *c, const Results *r)
     claim(c, "H-16.early-gimp", "GIMP: distance of two bars at the first contact force [h]",
           early_gap(r, "gimp", 100), 1.0, 2.5);
     claim(c, "H-16.early-wls2", "WLS2: distance of two bars at the first contact force [h]",
-          early_gap(r, "wls2", 100), 0.5, 2);
+          early_gap(r, "wls2", 100), 0.5, 2.5);
 }
 
 static void check_slides(Check *c, const Results *r)
@@ -234,9 +235,13 @@ static void check_disks(Check *c, const Results *r)
     claim_differs(
         c, "H-16.disks-gimp",
         "Two disks, GIMP at h = 1/64, 4 particles a cell: energy at the end over the start",
-        energy_back(r, "gimp"), 0.97, 1.03, 0.94, 0.97,
-        "every node that comes into contact is an inelastic impact, and GIMP loses as much "
-        "in the disk that hits walls (W11-8)");
+        energy_back(r, "gimp"), 0.97, 1.03, 0.955, 0.97,
+        "a quarter of the loss comes while the nodes meet, where each loses the energy of its "
+        "approach; the rest is GIMP's own in disks that vibrate, as in the disk that hits walls "
+        "(W11-8): with one velocity field for both the energy is .977");
+    claim(c, "H-16.disks-ge_gimp",
+          "Two disks, GE-GIMP at h = 1/64, 4 particles a cell: energy at the end over the start",
+          energy_back(r, "ge_gimp"), 0.97, 1.03);
     claim(c, "H-16.disks-fine",
           "Two disks, GIMP at h = 1/64, 25 particles a cell: energy at the end over the start",
           energy_back(r, "gimp_fine"), 0.97, 1.03);
@@ -245,7 +250,7 @@ static void check_disks(Check *c, const Results *r)
           energy_back(r, "gimp_none"), 0.96, 1.03);
     claim(c, "H-16.disks-musl",
           "Two disks, GIMP with a second projection (musl) gain energy: at the end over the start",
-          energy_back(r, "gimp_musl"), 1.03, 1.08);
+          energy_back(r, "gimp_musl"), 1.01, 1.04);
     claim(c, "H-16.disks-wls2", "Two disks, WLS2: contact feeds energy: at the end over the start",
           energy_back(r, "wls2"), 1.3, 5);
 }
@@ -265,5 +270,5 @@ const Study study_h_16_contact = {
     .cases = cases,
     .tables = tables,
     .check = check,
-    .claims = 15,
+    .claims = 16,
 };
