@@ -11,13 +11,8 @@ static void *nodes_of(size_t n, size_t size)
     return posix_memalign(&memory, 64, (n + 1) * size) ? NULL : memory;
 }
 
-bool wls_make(Sim *sim)
+static void read_choices(const double par[], Wls *w)
 {
-    const double *par = sim->setup->method_par;
-    const Grid *g = &sim->g;
-    const size_t n = (size_t)g->rows * (size_t)g->n[0];
-    Wls *w = sim->own = calloc(1, sizeof *w);
-    if (!w) return false;
     w->linear = (int)par[P_STRESS] == STRESS_LINEAR;
     w->quadrature = (int)par[P_QUADRATURE];
     w->distance_by = (int)par[P_DISTANCE];
@@ -30,6 +25,15 @@ bool wls_make(Sim *sim)
     w->hermite = par[P_HERMITE] * par[P_HERMITE];
     w->trigger = par[P_TRIGGER];
     w->condition = (int)par[P_CONDITION];
+}
+
+bool wls_make(Sim *sim)
+{
+    const Grid *g = &sim->g;
+    const size_t n = (size_t)g->rows * (size_t)g->n[0];
+    Wls *w = sim->own = calloc(1, sizeof *w);
+    if (!w) return false;
+    read_choices(sim->setup->method_par, w);
     if (w->condition == CONDITION_COUNT) w->count = nodes_of(n, sizeof *w->count);
     w->inside =
         2 * sim->setup->ppc / (double)CORNERS; /* the paper's 2, at its two particles an axis */

@@ -2,27 +2,24 @@
  * period with particle methods, WLS and FEM with integrated body force. Cost is the CPU time of the
  * step loop (cpu_s of a row); beside it stand particle-steps (FEM: element-steps), which no machine
  * changes. Points and costs at 1e-3: effort.h. */
-#include <string.h>
 #include "studies/tables/curves.h"
 #include "studies/tables/effort.h"
 
 static const int cells[] = {8, 12, 16, 20, 24};
-static const char *const methods[] = {"gimp", "ge_gimp", "apic", "wls", "wls2", "ge_wls"};
 static const char *const cfls[] = {".3", ".6", ".9"}; /* of the least altitude */
-enum { MESHES = 5, METHODS = 6, CFLS = 3 };
-
 /* WLS takes three to eight times as long as GIMP: one finer mesh for GE-WLS alone, which reaches
  * 1e-3 there. */
-static int meshes_of(const char *method)
-{
-    return strstr(method, "gimp") ? MESHES : MESHES - (strcmp(method, "ge_wls") == 0 ? 1 : 2);
-}
+static const struct {
+    const char *method;
+    int meshes;
+} runs[] = {{"gimp", 5}, {"ge_gimp", 5}, {"apic", 3}, {"wls", 3}, {"wls2", 3}, {"ge_wls", 4}};
+enum { MESHES = 5, METHODS = sizeof runs / sizeof *runs, CFLS = 3 };
 
 static void cases(Cases *list, bool quick)
 {
     for (int m = 0; m < METHODS; m++)
-        for (int k = 0; k < (quick ? 2 : meshes_of(methods[m])); k++)
-            case_add(list, "run shell --method %s --cells %d", methods[m], cells[k]);
+        for (int k = 0; k < (quick ? 2 : runs[m].meshes); k++)
+            case_add(list, "run shell --method %s --cells %d", runs[m].method, cells[k]);
     for (int c = 0; c < CFLS; c++)
         for (int k = 0; k < (quick ? 2 : MESHES); k++)
             case_add(list, "run shell --method fem --cells %d --cfl %s --set body=elements",

@@ -129,9 +129,10 @@ static int write_shape(FILE *f, int shape, int mask, int number)
         depth[k] = x[2];
     }
     for (int k = 0; k < p.faces; k++, number++) {
-        int next = -1;
-        for (int j = 0; j < p.faces; j++)
-            if (!done[j] && (next < 0 || depth[j] < depth[next])) next = j;
+        int next = 0;
+        while (done[next]) next++;
+        for (int j = next + 1; j < p.faces; j++)
+            if (!done[j] && depth[j] < depth[next]) next = j;
         const Face *face = &p.face[next];
         done[next] = true;
         for (int c = 0; c <= face->sides; c++) {

@@ -22,11 +22,12 @@ static const char *const formulas[] = {"W11-2.masks", "W11-2.smooth",   "W11-3.c
 
 /* Columns by which rows are chosen; x and y only where there is no X. */
 static const char *const keys[] = {
-    "t",       "id",    "cell",   "k",        "x",         "y",       "X",       "Y",
-    "r",       "angle", "cells",  "ppc",      "cfl",       "dim",     "column",  "row",
-    "station", "norm",  "depth",  "place",    "amplitude", "refresh", "default", "pair",
-    "line",    "runs",  "meshes", "mass",     "case",      "grading", "nodes",   "at",
-    "periods", "step",  "nu",     "offset_x", "target",    "weight",  "Fyy",     NULL};
+    "t",       "id",      "cell",   "k",        "x",         "y",       "X",       "Y",
+    "r",       "angle",   "cells",  "ppc",      "cfl",       "dim",     "column",  "row",
+    "station", "norm",    "depth",  "place",    "amplitude", "refresh", "default", "pair",
+    "line",    "runs",    "meshes", "mass",     "case",      "grading", "nodes",   "at",
+    "periods", "step",    "nu",     "offset_x", "target",    "weight",  "Fyy",     "pixels",
+    "fill",    "trigger", "ratio",  "jitter",   "strain",    NULL};
 
 static bool is_one(const char *name, const char *const list[])
 {

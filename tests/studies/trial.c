@@ -146,7 +146,10 @@ static void point(FILE *f, const Case *c, double X, double Y)
 static void points(FILE *f, const Case *c)
 {
     const bool samples = c->spec.samples != NULL;
-    const int many = is(c, "hole_plate") ? 60 : is(c, "ring") || is(c, "disk_impact") ? 50 : 16;
+    const int many = is(c, "patch")                          ? 80
+                     : is(c, "hole_plate")                   ? 60
+                     : is(c, "ring") || is(c, "disk_impact") ? 50
+                                                             : 16;
     const int side = samples ? 8 : many;
     const double reach = is(c, "cantilever") ? 5 : is(c, "hanging_bar") ? 2 : 1.25;
     int n = 0;
