@@ -124,9 +124,11 @@ static Measure drift(const Table *rows, const char *method, const char *integrat
                         integrator);
 }
 
+/* Places of a pair in `pairs`. */
+enum { CD, USL, MUSL, UVF, USF, MUSL_FRESH, UVF_FRESH };
+
 static void check_bar(Check *c, const Results *r)
 {
-    enum { CD, USL, MUSL, UVF, USF, MUSL_FRESH, UVF_FRESH };
     claim(c, "T-5.gimp",
           "Sine bar: GIMP keeps the energy with all five integrators: largest relative change in "
           "ten periods",
@@ -158,7 +160,6 @@ static void check_bar(Check *c, const Results *r)
 
 static void check_plane(Check *c, const Results *r)
 {
-    enum { CD, USL, MUSL, UVF, USF, MUSL_FRESH, UVF_FRESH };
     claim(c, "T-5.plane-gimp", "GIMP in 2D is stable with all five integrators: runs lost",
           losses(r->rows, 2, "gimp", CD, USF, INFINITY), 0, 0);
     claim(c, "T-5.plane-stale",
