@@ -24,7 +24,8 @@ static double *doubles(Arena *a, int count)
     return slice(a, count, sizeof(double));
 }
 
-/* Points every array into the block at base, or only counts. Returns the bytes. */
+/* Lays all arrays out in the block at `base`; with base NULL it only adds up their sizes. Returns
+ * the bytes. */
 static size_t lay_out(Fem *f, char *base)
 {
     Arena a = {base, 0};
@@ -68,8 +69,9 @@ static int allocate(Fem *f, int cells, Fault *fault)
     return 0;
 }
 
-/* Volume and inverse of the reference edges of the element in a slot. Returns its least altitude:
- * the columns of the cofactors, and their sum, are DIM! times the sides' areas. */
+/* Volume and inverse of the reference edges of the element in a slot. Returns its least altitude,
+ * DIM times the volume over the largest side: the columns of the cofactors, and their sum, are
+ * vectors of (DIM - 1)! times the sides' areas. */
 static double measure(Fem *f, int slot)
 {
     Mat edge;
@@ -116,7 +118,8 @@ static void measure_all(Fem *f)
     if (DIM > 2 || (!published && least < f->edge)) f->edge = least;
 }
 
-/* A2, and the corners that meet in each node, in element order. */
+/* Lumped masses (W11 A2), and for each node the element corners that meet in it, in the order of
+ * elements. */
 static void connect(Fem *f)
 {
     for (int i = 0; i < f->nodes; i++) {
@@ -133,7 +136,8 @@ static void connect(Fem *f)
     for (int i = 0; i < f->nodes; i++) f->m[i] = f->scene->mat.rho * f->V0[i];
 }
 
-/* Nodes that lie on wall w in the reference lose the components it holds, and lie on it exactly. */
+/* Nodes whose reference position lies on wall w: the components that it holds are fixed for good,
+ * and the nodes are put on it exactly. */
 static void bind_to_wall(Fem *f, const Wall *w)
 {
     const Scene *s = f->scene;
@@ -169,8 +173,8 @@ static void start_block(Fem *f, int lo, int n)
         for (int i = 0; i < n; i++) f->now[lo + i][d] = f->x[d][lo + i] = X[d][i] + u[d][i];
 }
 
-/* As many as asked for, but none for less than 32 chunks, some 20 us of work: waking it costs more.
- */
+/* Threads to use: at most `asked`, with at least 32 chunks (some 20 us of work) for each, since
+ * waking a thread costs more than less work would take. */
 static int threads_for(int asked, int slots)
 {
     const int worth = slots / (32 * CHUNK);

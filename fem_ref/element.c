@@ -17,7 +17,7 @@
 /* Edges x2 - x1, x3 - x1, ... of a chunk: [edge][component]. */
 typedef Field Edges[DIM][DIM];
 
-/* In 3D, of four elements at a time. */
+/* The edges of four elements at a time (3D). */
 static inline void gather_four(const Fem *f, int start, int e, Edges edge)
 {
     Four first[FOUR], along[FOUR];

@@ -100,7 +100,7 @@ static bool any_beyond(const double *x, int n, double at, int side)
     return beyond;
 }
 
-/* Takes component d of node i to position x within the step that has just moved it. */
+/* Moves component d of node i to position x as if the step just taken had ended there. */
 static void correct(Fem *f, int d, int i, double x, double dt)
 {
     double dv = (x - f->x[d][i]) / dt;

@@ -142,7 +142,7 @@ static void patches(const void *self, PatchVisit *visit, void *own)
     }
 }
 
-/* The mesh with it: all arrays are one piece. */
+/* All arrays lie in one block, so the mesh is stored with the state. */
 static void stash(void *self, Stash *s)
 {
     Fem *f = self;

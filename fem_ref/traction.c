@@ -6,7 +6,7 @@
 #include "fem.h"
 
 typedef struct Side {
-    int node[DIM]; /* sorted, to find its twin */
+    int node[DIM]; /* sorted: equal in both elements that share a side */
     int element, opposite;
 } Side;
 
@@ -48,7 +48,8 @@ static bool are_twins(const Side *a, const Side *b)
     return true;
 }
 
-/* All sides, each without twin first. Returns how many those are. */
+/* Lists the sides of all elements, those that belong to one element only first. Returns how many
+ * these are. */
 static int find_single(const Fem *f, Side *side)
 {
     int n = 0, single = 0;

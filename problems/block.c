@@ -1,4 +1,5 @@
-/* block.c: a unit block in an empty box, in the plainest states there are: the hard cases' scene.
+/* block.c: a unit block in an empty box, in the simplest states of motion and stress; the scene of
+ * many hard cases.
  *
  *   free motion     x = X + (F - I)(X - X_c) + offset, uniform F = R(angle) [stretch 0; 0 1],
  *                   uniform velocity, plus velocities that alternate from particle to particle
@@ -101,7 +102,8 @@ static void impose(const Scene *s, int n, ConstFields x, double t, Fields v)
                 L[a][0] * about_centre(s, 0, x[0][p]) + L[a][1] * about_centre(s, 1, x[AXIS_Y][p]);
 }
 
-/* +1 and -1 in turns along every axis: the points' spacing is that of the first two. */
+/* A sign that changes from point to point along every axis. The spacing is that of the first two
+ * points. */
 static double alternating(ConstFields X, int n, int p)
 {
     const double spacing = n > 1 ? X[0][1] - X[0][0] : 1;

@@ -53,7 +53,7 @@ static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
     }
 }
 
-/* The lattice of n points an axis beyond radius `from`, axis 0 fastest. */
+/* Adds the points of an n x n x n lattice that lie beyond radius `from`, axis 0 fastest. */
 static void add_lattice(int n, double from, double spacing, Layout *out)
 {
     const long total = lround(pow(n, DIM));

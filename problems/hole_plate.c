@@ -41,7 +41,7 @@ static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
     }
 }
 
-/* The lattice of n x n points beyond the rings, axis 0 fastest. */
+/* Adds the points of an n x n lattice that lie beyond the rings, axis 0 fastest. */
 static void add_lattice(int n, int rings, double spacing, Layout *out)
 {
     for (int k = 0; k < n * n; k++) {

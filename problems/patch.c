@@ -31,7 +31,7 @@ typedef struct Box {
 /* Gradient of v [1/s]. */
 static const double gradient[3][3] = {{1, 2, 1}, {-1, 1, 3}, {2, -1, 1}};
 
-/* The body's rectangles; how many. */
+/* Fills in the body's rectangles. Returns how many there are. */
 static int boxes(const Scene *s, Box out[2])
 {
     const double h = s->cell, cells = round(0.3 / h); /* of half a side */
@@ -79,8 +79,8 @@ static double graded(const Scene *s, double f)
     return pow(f, s->par[GRADING]);
 }
 
-/* Width of particle k of n on the graded axis, over that of an even row: the stretch of the length
- * that its own share was moved to, so that all together fill the box. */
+/* Width of particle k of n along the graded axis, over that in an even row: the length that grading
+ * gives to the particle's share of the axis, so that all particles together fill the box. */
 static double graded_width(const Scene *s, int k, int n)
 {
     if (!(s->par[GRADING] > 1)) return 1;

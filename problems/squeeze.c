@@ -31,8 +31,9 @@ static int init(Scene *s, char why[128])
 }
 
 /* Two particles in every cell, at `at` of its width, with the given shares of its mass: in every
- * second cell as asked for, centred in the others. What repeats in every cell is exact for tents,
- * however odd: a particle at a of the cell gives the nodes beside it a (a - 1) + (1 - a) a = 0. */
+ * second cell as asked for, centred in the others. An arrangement that repeats in every cell would
+ * be exact for tents, whatever it is: a particle at the fraction a of the cell gives the nodes
+ * beside it a (a - 1) + (1 - a) a = 0. */
 static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
 {
     static const struct {

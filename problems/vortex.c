@@ -85,7 +85,7 @@ static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
     }
 }
 
-/* The circles rest. */
+/* Both boundary circles are at rest, so t does not matter. */
 static double distance(const Scene *s, const Vec x, double t)
 {
     const double r = hypot(x[0] - s->body.centre[0], x[1] - s->body.centre[1]);

@@ -11,7 +11,8 @@
 
 enum { LONGEST_TEXT = sizeof((Fault *)NULL)->text, HALF = LONGEST_TEXT / 2 - 3, MOST = 1 << 14 };
 
-/* What is too long (a path) loses its middle: the reason stands at the end. */
+/* Copies text. If it is too long (a path), its middle is left out, because the reason stands at the
+ * end. */
 static void shorten(const char *whole, int n, char out[LONGEST_TEXT])
 {
     const int there = n < MOST ? n : MOST - 1;

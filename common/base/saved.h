@@ -13,7 +13,8 @@ typedef struct SavedKey {
     unsigned long program;
 } SavedKey;
 
-/* Only a regular file, there or not, can be read back: of an option and its path, or NULL. */
+/* Checks that path, the value of `option` (NULL: not given), is a regular file or does not exist:
+ * nothing else can be read back. 0 or a fault. */
 int saved_check_path(const char *option, const char *path, Fault *fault);
 
 /* Opens a new state for writing; NULL and a fault. */
@@ -22,8 +23,9 @@ FILE *saved_begin(const char *path, const SavedKey *key, Fault *fault);
 /* Puts it in place, whole, on the disk; what was there becomes path.1. 0 or a fault. */
 int saved_commit(FILE *f, const char *path, Fault *fault);
 
-/* The newest whole state of this run, path or path.1: opens it where its bytes begin; `chosen` is
- * its name, or may be NULL. NULL and a fault (2): torn or missing both, or of another run. */
+/* Opens the newest complete state of this run, path or path.1, where its bytes begin; writes the
+ * file's name to `chosen` if that is not NULL. NULL and a fault (2): both are damaged or missing,
+ * or of another run. */
 FILE *saved_open(const char *path, const SavedKey *key, char chosen[PATH_MAX], Fault *fault);
 
 #endif

@@ -11,7 +11,7 @@ typedef struct Solid {
     double volume, centroid[3], second[6];
 } Solid;
 
-/* Of one piece; the centroid is finite if the volume is positive. */
+/* Measures one piece. The centroid is finite if the volume is positive. */
 void solid_measure(const Polyhedron *p, int piece, Solid *out);
 
 /* The centroid, moved into the cube if a curved surface's piece has it outside; returns the volume.

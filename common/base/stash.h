@@ -1,5 +1,5 @@
-/* stash.h: what a run changes from step to step, as bytes: out to a stream and in again, by one
- * function for both ways, so that they cannot differ. */
+/* stash.h: what a run changes from step to step, as bytes, written to a stream or read from it.
+ * One function does both, so that they cannot differ. */
 #ifndef MPMLAB_STASH_H
 #define MPMLAB_STASH_H
 
@@ -16,7 +16,7 @@ typedef struct Stash {
 /* Writes n bytes at `at`, or reads them there. */
 void stash_bytes(Stash *s, void *at, size_t n);
 
-/* A number that the other side must have, too: an array's length. False if it has another. */
+/* Writes a number, or reads one and compares: an array's length. False if they differ. */
 bool stash_same(Stash *s, long number);
 
 #define STASH(s, object) stash_bytes((s), &(object), sizeof(object))

@@ -9,7 +9,7 @@
 
 typedef enum { VTK_F64, VTK_I64, VTK_U8 } VtkType;
 
-/* A named array of `components` numbers a point or a cell. data NULL: not written. */
+/* A named array of `components` numbers per point or cell. data NULL: not written. */
 typedef struct VtkArray {
     const char *name;
     VtkType type;

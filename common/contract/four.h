@@ -1,4 +1,4 @@
-/* four.h: four numbers at once, for the ways between fields of a chunk and vectors of an element or
+/* four.h: four numbers at once: conversion between fields of a chunk and vectors of an element or
  * particle. */
 #ifndef MPMLAB_FOUR_H
 #define MPMLAB_FOUR_H

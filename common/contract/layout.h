@@ -47,10 +47,10 @@ double layout_surface_spacing(const Layout *out, double spacing);
  * would fill; `asked` where that differs by round-off only. NAN if there are none. */
 double layout_ppc(const Layout *out, double asked, double cell);
 
-/* Fills an empty layout for spacing s = 1/(cells n): 1D `count` points evenly over the body, else
- * the points of the lattice (i + 1/2) s from the origin that lie inside, volume s^DIM, which in a
- * box is moved and drawn together until it fills it; or the scene's own. Boxes are body-fitted by
- * the same and by surface points on all faces that are no symmetry lines. */
+/* Fills an empty layout for spacing s = 1/(cells n): in 1D `count` points evenly over the body,
+ * or the scene's own arrangement, or the points (i + 1/2) s of a lattice from the origin that lie
+ * inside, volume s^DIM; in a box the lattice is shifted and compressed until it fills the box.
+ * Body-fitted, a box also has surface points on all faces that are no symmetry lines. */
 int layout_make(Layout *out, const Scene *scene, double spacing, int count, bool fitted,
                 Fault *fault);
 

@@ -20,12 +20,12 @@
 #include "points.h"
 
 enum {
-    MAX_WIDTH = 33,                     /* nodes per axis that a stencil may span */
-    MAX_ROUNDS = 16,                    /* of a velocity filter */
-    MAX_OWN = IN_THIS_DIM(2, 8, 24),    /* fields of a method's own per particle */
-    MAX_CORNERS = IN_THIS_DIM(2, 4, 8), /* points of a particle */
-    MAX_LIST = IN_THIS_DIM(4, 16, 64),  /* nodes that a particle may list */
-    POINT_SUMS = 2 * LANES              /* in the sums of an update, DIM per point */
+    MAX_WIDTH = 33,                    /* nodes per axis that a stencil may span */
+    MAX_ROUNDS = 16,                   /* of a velocity filter */
+    MAX_OWN = IN_THIS_DIM(2, 8, 24),   /* fields of a method's own per particle */
+    MAX_PARTS = IN_THIS_DIM(3, 9, 27), /* parts whose velocities an update may read */
+    MAX_LIST = IN_THIS_DIM(4, 16, 64), /* nodes that a particle may list */
+    POINT_SUMS = 2 * LANES             /* in the sums of an update, DIM per point */
 };
 
 typedef enum { CD, UVF, MUSL, USL, USF, INTEGRATORS } Integrator; /* step.c */
@@ -56,7 +56,8 @@ typedef struct Chunk {
     const double *X[DIM], *m, *V0;
     const double *normal[DIM]; /* reference normals of surface points, or NULL */
     const int *id;
-    double *const *own; /* use own_field() */
+    double *const *own;          /* use own_field() */
+    const struct NodeList *list; /* in `update`: general weights as they were gathered, or NULL */
     size_t first;
 } Chunk;
 
@@ -101,13 +102,16 @@ typedef struct NodeList {
     int points, part;
     long long at[MAX_LIST][CHUNK];
     Field N[MAX_LIST], S[MAX_LIST], G[DIM][MAX_LIST];
+    Field v[DIM][MAX_PARTS]; /* [m/s] with `modes`: velocity that a part deposits beyond v_p */
+    int cells;               /* per unit length, for an update that asks */
 } NodeList;
 
-/* What such a method knows of the grid. Positions in cells count from node 0. */
+/* The grid as `list` sees it. Positions in cells count from node 0. */
 typedef struct Place {
     int cells;             /* per unit length */
     int origin[DIM];       /* node 0 lies at x = origin/cells */
     long long stride[DIM]; /* nodes from one to the next along an axis */
+    const Axis *axis;      /* [DIM] walls */
     double half;           /* l0/h: half width of an undeformed particle's box [cells] */
     double reach;          /* no node may lie farther from a particle than this and a cell */
 } Place;
@@ -146,7 +150,8 @@ typedef struct Method {
     void (*list)(const Chunk *c, const Place *g, const Field x[], NodeList *out);
     void (*reach)(const Chunk *c, const Place *g, Field out);
     int points; /* parts whose velocity an update reads: sum_k N_k v_a of part c is
-                 * sums[POINT_SUMS + c DIM + a], 0 in the total frame; at most MAX_CORNERS */
+                 * sums[POINT_SUMS + c DIM + a]; at most MAX_PARTS. In the total frame 0, as */
+    bool modes; /* points do not move; but not with modes: each part deposits NodeList.v, too */
 
     /* Names of the method's own fields, at most MAX_OWN, ended by NULL; or NULL: none. They are
      * kept, sorted and written with the particle's others. `start` fills them. */
@@ -178,6 +183,10 @@ typedef struct Method {
 
     /* Shows the polygons that the last `assemble` integrated over, for output; or NULL. */
     void (*patches)(const struct Sim *sim, PatchVisit *visit, void *own);
+
+    /* Unit outward normal of the body's surface near a node, by the last `assemble`; false: no
+     * surface is near. Of methods that reconstruct one, for contact; or NULL. */
+    bool (*normal)(const struct Sim *sim, size_t node, double n[DIM]);
 
     /* Its workspace Sim.own, once a run (false: out of memory), of node_bytes a grid node; and how
      * it chooses its stages by parameter: `adapt` changes the run's own copy of this struct. */

@@ -30,6 +30,10 @@ typedef struct Wall {
 
 enum { MAX_WALLS = 8, MAX_DERIVED = 16 };
 
+/* What happens at grid nodes that two bodies share: Coulomb contact (Bardenhagen et al. 2001), or
+ * one velocity for both, as plain MPM has it; contact.c. */
+typedef enum { CONTACT_BARDENHAGEN, CONTACT_NONE } ContactLaw;
+
 /* The body as data, for layouts and meshes that fit it. Box: body_lo to body_hi. Ring, disk: radii
  * [m] about centre, angles [rad]; a ring in 3D reaches from body_lo to body_hi along the last axis.
  * Hole plate: the box less a hole of radius inner about centre. Shell, ball: radii about centre.
@@ -98,6 +102,11 @@ typedef struct Problem {
 
     /* Body force per mass [m/s^2] at reference position X and time t, or NULL. */
     void (*body)(const Scene *s, int n, ConstFields X, double t, Fields b);
+
+    /* NULL: the scene has one body. Else it has two, on separate velocity fields: turns a copy of
+     * the whole scene into the scene of body 0 or 1, with its box, shape and walls. The functions
+     * above take points of both. */
+    void (*part)(Scene *s, int body);
 } Problem;
 
 struct Scene {
@@ -113,6 +122,8 @@ struct Scene {
     Mat turn;    /* rotation of a whole one's body-fitted points or mesh, row-major */
     Wall wall[MAX_WALLS];
     int nwall;
+    ContactLaw contact;    /* of scenes with two bodies */
+    double friction;       /* [-] coefficient of Coulomb friction between them */
     bool traction;         /* problem->traction acts on this scene's surface */
     double c;              /* [m/s] the speed in dt0 = CFL h/c */
     double t_end;          /* [s] default duration; 0: none */
@@ -120,9 +131,9 @@ struct Scene {
     double k[MAX_DERIVED]; /* constants derived by init, for the problem's own use */
 };
 
-/* The error scale of a scene whose exact motion has this amplitude. Without motion there is none: a
- * body that rests can not be wrong, so that an error of 0 would say nothing, and errors relative to
- * the amplitude are 0/0. The error columns of such a run are empty. */
+/* The error scale of a scene whose exact motion has this amplitude; NAN without motion, which
+ * leaves the error columns empty: an error of 0 of a body at rest would mean nothing, and relative
+ * to the amplitude it is 0/0. */
 static inline double scale_of_motion(double amplitude, double scale)
 {
     return fabs(amplitude) > 0 ? fabs(scale) : NAN;

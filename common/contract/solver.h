@@ -32,6 +32,8 @@ typedef struct Setup {
     const Scene *scene;
     const Method *method;     /* NULL for FEM */
     const double *method_par; /* values in the order of the method's params */
+    const Method *method_b;   /* of the second body, with its parameters; NULL: the same */
+    const double *method_b_par;
     Integrator integrator;
     int cells; /* per unit length; h = 1/cells */
     double ppc;
@@ -85,7 +87,8 @@ typedef struct Solver {
     /* Momentum [kg m/s] that body forces and boundary conditions have given since the start. */
     void (*impulse)(const void *self, Vec out);
 
-    /* Work [J] of tractions since the start, the mean of both ends of every step. */
+    /* Work [J] of tractions, the mean of both ends of every step, and of friction between bodies
+     * since the start. */
     double (*work)(const void *self);
 
     /* The part of the impulse that body forces and tractions have given; measured if
@@ -104,7 +107,8 @@ typedef struct Solver {
      * a mesh, whose points are no particles. NULL and a fault as make. */
     void *(*take_over)(const Setup *setup, void *self, Fault *fault);
 
-    /* Everything that steps change, out or in: the steps that follow have the same bits. */
+    /* Writes or reads everything that steps change, so that the steps that follow have the same
+     * bits. */
     void (*stash)(void *self, Stash *s);
 
     void (*free)(void *self);

@@ -35,7 +35,7 @@ static double corner_angle(double s, double t)
     return atan2(x * y, sqrt(1 + x * x + y * y));
 }
 
-/* Of cell (i, j) of the n x n of a quarter of a face. */
+/* Solid angle of cell (i, j) of the n x n cells on a quarter of a face. */
 static double cell_angle(int i, int j, int n)
 {
     const double s0 = (double)i / n, s1 = (i + 1.0) / n, t0 = (double)j / n, t1 = (j + 1.0) / n;

@@ -92,7 +92,7 @@ static void deposit_round(Sim *sim, int k, Work *w)
         for (int a = 0; a < DIM; a++) w->A[p][1 + a] = c.m[p] * c.w[a][p];
     }
     if (!width)
-        deposit_list(&sim->g, w);
+        deposit_list(&sim->g, w, false);
     else if (width == 3)
         deposit_half(&sim->g, w, 3);
     else
@@ -115,7 +115,7 @@ static void deposit_listed(Sim *sim, int k, double t, Deposit what, Work *w)
     const Chunk c = sim_chunk(sim, k);
     make_list(sim, &c, w);
     make_payload(sim, &c, what == FORCES, 0, w);
-    deposit_list(&sim->g, w);
+    deposit_list(&sim->g, w, sim->method.modes);
     if (what != FORCES || !sim->g.force) return;
     chunk_body(sim, &c, t, w->body);
     deposit_force_list(&sim->g, w);

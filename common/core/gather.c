@@ -78,9 +78,8 @@ static inline __attribute__((always_inline)) void gather_moments(const Sim *sim,
     unpack_sums(w, LANES, sim->dx);
 }
 
-/* The sums that an update reads. */
-static inline __attribute__((always_inline)) void gather_sums(const Sim *sim, const Chunk *c,
-                                                              Work *w)
+/* The sums that an update reads. (Not inlined: in the loop over chunks gcc lacks registers.) */
+static __attribute__((noinline)) void gather_sums(const Sim *sim, const Chunk *c, Work *w)
 {
     if (sim->method.list) {
         make_list(sim, c, w);
@@ -98,8 +97,9 @@ static inline __attribute__((always_inline)) void gather_sums(const Sim *sim, co
 static void gather_chunk(Sim *sim, int k, double dt, unsigned take, Work *w, Extremes *e)
 {
     const Method *method = &sim->method;
-    const Chunk c = sim_chunk(sim, k);
+    Chunk c = sim_chunk(sim, k);
     gather_sums(sim, &c, w);
+    if (method->list) c.list = &w->list;
     const bool linear = !sim->total && sim->setup->strain == STRAIN_LINEAR;
     const bool own_strain = take & TAKE_F && !linear;
     method->update(&c, (const Field *)w->sums, dt,
@@ -128,11 +128,9 @@ void gather_gradient(Sim *sim, double *const L[NMAT], double *const D[DIM])
     for (int k = 0; k * CHUNK < sim->p.n; k++) {
         const Chunk c = sim_chunk(sim, k);
         const int width = sim->method.list ? 0 : make_stencils(sim, &c, &w), at = k * CHUNK;
-        for (int d = 0; d < DIM; d++) {
-            if (width) spread(sim, &w, d, width, D[d] + at);
-            for (int p = 0; p < CHUNK && !width; p++)
-                D[d][at + p] = 1; /* no affine part needs it */
-        }
+        if (!width) make_list(sim, &c, &w);
+        for (int d = 0; d < DIM; d++)
+            width ? spread(sim, &w, d, width, D[d] + at) : list_spread(sim, &w, d, D[d] + at);
         if (L) gather_sums(sim, &c, &w);
         if (!L) continue;
         for (int a = 0; a < DIM; a++)

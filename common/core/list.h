@@ -38,15 +38,24 @@ static inline __attribute__((always_inline)) Line list_weight(const NodeList *li
     return w;
 }
 
-/* `part` is a constant in each instance. */
+/* m v of part c in the lanes of momentum, v beyond the particle's. */
+static inline __attribute__((always_inline)) Line part_momentum(const Work *w, int c, int p)
+{
+    Line mv = {0};
+    for (int a = 0; a < DIM; a++) mv[1 + a] = w->A[p][0] * w->list.v[a][c][p];
+    return mv;
+}
+
+/* `part` and `modes` are constants in each instance. */
 static inline __attribute__((always_inline)) void deposit_parts(Grid *g, const Work *w,
-                                                                const int part)
+                                                                const int part, const bool modes)
 {
     const ListLanes one = list_lanes();
     const NodeList *list = &w->list;
     for (int p = 0; p < CHUNK; p++)
         for (int c = 0; c < list->points; c++) {
-            const Line value = list_weight(list, c, p, &one) * w->A[p];
+            const Line A = modes ? w->A[p] + part_momentum(w, c, p) : w->A[p];
+            const Line value = list_weight(list, c, p, &one) * A;
             for (int k = c * part; k < (c + 1) * part; k++)
                 g->node[list->at[k][p]] += list->N[k][p] * value;
         }
@@ -74,12 +83,15 @@ static inline __attribute__((always_inline)) void gather_parts(const Grid *g, Wo
 enum { USUAL_PART = 1 << DIM }; /* the corners of a cell */
 
 /* Always inlined: gcc 12 with -O1 believes that gather_list changes nothing, and drops its call. */
-static inline __attribute__((always_inline)) void deposit_list(Grid *g, const Work *w)
+static inline __attribute__((always_inline)) void deposit_list(Grid *g, const Work *w,
+                                                               const bool modes)
 {
-    if (w->list.part == USUAL_PART)
-        deposit_parts(g, w, USUAL_PART);
+    if (modes)
+        deposit_parts(g, w, w->list.part, true);
+    else if (w->list.part == USUAL_PART)
+        deposit_parts(g, w, USUAL_PART, false);
     else
-        deposit_parts(g, w, w->list.part);
+        deposit_parts(g, w, w->list.part, false);
 }
 
 static inline __attribute__((always_inline)) void gather_list(const Grid *g, Work *w)
@@ -90,16 +102,18 @@ static inline __attribute__((always_inline)) void gather_list(const Grid *g, Wor
         gather_parts(g, w, NULL, w->list.part);
 }
 
-/* Also the velocities of a particle's points; none of the reference grid moves. */
+/* Also the velocities of a particle's points; none of the reference grid moves. (Those of modes are
+ * read there, too.) */
 static inline void gather_list_and_points(const Sim *sim, Work *w)
 {
     const int points = sim->method.points;
+    const bool still = sim->total && !sim->method.modes;
     Field *own = w->sums + POINT_SUMS;
-    if (!points || sim->total)
+    if (!points || still)
         gather_list(&sim->g, w);
     else
         gather_parts(&sim->g, w, own, w->list.part);
-    for (int k = 0; sim->total && k < points * DIM; k++)
+    for (int k = 0; still && k < points * DIM; k++)
         for (int p = 0; p < CHUNK; p++) own[k][p] = 0;
 }
 
@@ -111,6 +125,21 @@ static inline __attribute__((always_inline)) void deposit_force_list(Grid *g, co
             for (int a = 0; a < DIM; a++)
                 g->force[list->at[k][p] * DIM + a] +=
                     list->S[k / list->part][p] * list->N[k][p] * w->body[a][p];
+}
+
+/* D = sum_i S (x_i - x_p)^2 [m^2] along an axis. */
+static inline void list_spread(const Sim *sim, const Work *w, int axis, Field D)
+{
+    const Place place = sim_place(sim);
+    const NodeList *list = &w->list;
+    for (int p = 0; p < CHUNK; p++) {
+        D[p] = 0;
+        for (int k = 0; k < list->points * list->part; k++) {
+            const long long index = list->at[k][p] / place.stride[axis] % sim->g.n[axis];
+            const double r = ((double)index - w->x[axis][p]) * sim->dx;
+            D[p] += list->S[k / list->part][p] * list->N[k][p] * r * r;
+        }
+    }
 }
 
 #endif

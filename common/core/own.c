@@ -6,7 +6,7 @@
 Place sim_place(const Sim *sim)
 {
     const Grid *g = &sim->g;
-    Place place = {.cells = g->cells, .half = sim->half, .reach = sim->half_max};
+    Place place = {.cells = g->cells, .axis = g->axis, .half = sim->half, .reach = sim->half_max};
     for (int d = 0; d < DIM; d++) {
         place.origin[d] = g->origin[d];
         place.stride[d] = d == 0 ? 1 : place.stride[d > 0 ? d - 1 : 0] * g->n[d > 0 ? d - 1 : 0];

@@ -1,19 +1,22 @@
 /* particle_solver.c: the particle core as a Solver (solver.h). */
 #include <stdlib.h>
+#include "bodies.h"
 #include "skin.h"
-#include "step.h"
 
-/* A Sim with what its views need on the side. */
+/* The sims of a scene's bodies, with what their views need on the side. */
 typedef struct Core {
-    Sim *sim;
+    Bodies all;
     Status start; /* a scene that is wrong from the start says so at its first step */
     double *x[DIM], *v[DIM], *m; /* live nodes, if asked for */
 } Core;
 
 static bool node_views(Core *c)
 {
-    const Grid *g = &c->sim->g;
-    const size_t n = (size_t)g->rows * (size_t)g->n[0];
+    size_t n = 0;
+    for (int b = 0; b < c->all.n; b++) {
+        const Grid *g = &c->all.sim[b]->g;
+        n += (size_t)g->rows * (size_t)g->n[0];
+    }
     bool ok = (c->m = malloc(n * sizeof(double))) != NULL;
     for (int d = 0; d < DIM; d++) {
         ok = (c->x[d] = malloc(n * sizeof(double))) && ok;
@@ -25,10 +28,15 @@ static bool node_views(Core *c)
 static void core_free(void *self)
 {
     Core *c = self;
-    sim_free(c->sim);
+    bodies_free(&c->all);
     for (int d = 0; d < DIM; d++) free(c->x[d]), free(c->v[d]);
     free(c->m);
     free(c);
+}
+
+static Status check_start(const Sim *sim)
+{
+    return sim->p.count > sim->surface ? sim_check(sim) : (Status){EMPTY, -1, 0};
 }
 
 static void *core_make(const Setup *setup, Fault *fault)
@@ -38,49 +46,39 @@ static void *core_make(const Setup *setup, Fault *fault)
         fault_set(fault, FAULT_MACHINE, "out of memory");
         return NULL;
     }
-    c->sim = sim_new(setup, fault);
-    if (!c->sim || (setup->snapshot_nodes && !node_views(c))) {
-        if (c->sim) fault_set(fault, FAULT_MACHINE, "out of memory");
+    const bool made = bodies_make(&c->all, setup, fault);
+    if (!made || (setup->snapshot_nodes && !node_views(c))) {
+        if (made) fault_set(fault, FAULT_MACHINE, "out of memory");
         core_free(c);
         return NULL;
     }
-    c->start = c->sim->p.count > c->sim->surface ? sim_check(c->sim) : (Status){EMPTY, -1, 0};
-    if (c->start.code == OK) sim_sort(c->sim);
+    c->start = (Status){OK, -1, 0};
+    for (int b = 0; b < c->all.n && c->start.code == OK; b++) c->start = check_start(c->all.sim[b]);
+    for (int b = 0; b < c->all.n && c->start.code == OK; b++) sim_sort(c->all.sim[b]);
     return c;
 }
 
 static Status core_step(void *self, double t, double dt, bool first)
 {
     Core *c = self;
-    return c->start.code == OK ? sim_step(c->sim, t, dt, first) : c->start;
+    return c->start.code == OK ? bodies_step(&c->all, t, dt, first) : c->start;
 }
 
 static Status core_project(void *self)
 {
     Core *c = self;
-    return c->start.code == OK ? sim_project(c->sim) : c->start;
+    return c->start.code == OK ? sim_project(c->all.sim[0]) : c->start;
 }
 
 static void core_view(const void *self, Points *points, Samples *samples)
 {
-    const Particles *p = &((const Core *)self)->sim->p;
-    *points = (Points){.n = p->n, .id = p->id, .m = p->field[AT_M], .V0 = p->field[AT_VOL]};
-    points->own_name = ((const Core *)self)->sim->method.own;
-    points->own = p->field + AT_OWN;
-    for (int d = 0; d < DIM; d++) {
-        points->X[d] = p->field[AT_X0 + d];
-        points->x[d] = p->field[AT_X + d];
-        points->v[d] = p->field[AT_V + d];
-    }
-    *samples = (Samples){.n = p->n, .V0 = p->field[AT_VOL]};
-    for (int k = 0; k < NMAT; k++) samples->F[k] = p->field[AT_F + k];
+    bodies_view(&((const Core *)self)->all, points, samples);
 }
 
-static void core_nodes(const void *self, Nodes *nodes)
+/* Adds the live nodes of a body to the n there are; returns their number. */
+static int add_nodes(const Core *c, const Sim *sim, int n)
 {
-    const Core *c = self;
-    const Grid *g = &c->sim->g;
-    int n = 0;
+    const Grid *g = &sim->g;
     for (int row = 0; row < g->rows; row++)
         for (int i = g->lo[row]; i < g->hi[row]; i++) {
             const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
@@ -96,66 +94,82 @@ static void core_nodes(const void *self, Nodes *nodes)
             }
             c->m[n++] = g->mass[at];
         }
+    return n;
+}
+
+static void core_nodes(const void *self, Nodes *nodes)
+{
+    const Core *c = self;
+    int n = 0;
+    for (int b = 0; b < c->all.n; b++) n = add_nodes(c, c->all.sim[b], n);
     *nodes = (Nodes){.n = n, .m = c->m};
     for (int d = 0; d < DIM; d++) nodes->x[d] = c->x[d], nodes->v[d] = c->v[d];
 }
 
 static void core_counts(const void *self, Counts *counts)
 {
-    const Sim *sim = ((const Core *)self)->sim;
-    *counts = (Counts){.ppc = sim->ppc,
-                       .particles = sim->p.count - sim->surface,
-                       .surface = sim->surface,
-                       .elements = -1,
-                       .moved = sim->moved,
-                       .nodes = sim->nodes > 0 ? sim->nodes : -1,
-                       .fallbacks = sim->method.assemble ? sim->fallbacks : -1};
+    bodies_counts(&((const Core *)self)->all, counts);
 }
 
 static void core_impulse(const void *self, Vec out)
 {
-    for (int d = 0; d < DIM; d++) out[d] = ((const Core *)self)->sim->impulse[d];
+    const Bodies *all = &((const Core *)self)->all;
+    for (int d = 0; d < DIM; d++) out[d] = all->sim[0]->impulse[d];
+    for (int d = 0; d < DIM && all->n > 1; d++) out[d] += all->sim[1]->impulse[d];
 }
 
 static double core_work(const void *self)
 {
-    const Sim *sim = ((const Core *)self)->sim;
-    return skin_work(sim->skin) + sim->driven;
+    const Bodies *all = &((const Core *)self)->all;
+    double work = all->n > 1 ? all->contact.work : skin_work(all->sim[0]->skin);
+    for (int b = 0; b < all->n; b++) work += all->sim[b]->driven;
+    return work;
 }
 
 static void core_outside(const void *self, Vec out)
 {
-    for (int d = 0; d < DIM; d++) out[d] = ((const Core *)self)->sim->outside[d];
+    const Bodies *all = &((const Core *)self)->all;
+    for (int d = 0; d < DIM; d++) out[d] = all->sim[0]->outside[d];
+    for (int d = 0; d < DIM && all->n > 1; d++) out[d] += all->sim[1]->outside[d];
 }
 
 static void core_patches(const void *self, PatchVisit *visit, void *own)
 {
-    const Sim *sim = ((const Core *)self)->sim;
-    if (sim->method.patches) sim->method.patches(sim, visit, own);
+    const Bodies *all = &((const Core *)self)->all;
+    for (int b = 0; b < all->n; b++)
+        if (all->sim[b]->method.patches) all->sim[b]->method.patches(all->sim[b], visit, own);
 }
 
-static void core_stress(const void *self, Fields F, Fields sigma)
+static void add_stress(const Sim *sim, int first, Fields F, Fields sigma)
 {
-    const Sim *sim = ((const Core *)self)->sim;
     for (int at = 0; at < sim->p.n; at += CHUNK) {
         const Chunk c = sim_chunk(sim, at / CHUNK);
         Field T[NMAT];
         material_kirchhoff(&sim->setup->scene->mat, (const double *const *)c.F, T);
         for (int p = 0; p < CHUNK && at + p < sim->p.n; p++) {
             Mat f;
-            for (int k = 0; k < NMAT; k++) F[k][at + p] = f[k] = c.F[k][p];
-            for (int k = 0; k < NMAT; k++) sigma[k][at + p] = T[k][p] / determinant(f);
+            const int to = first + at + p;
+            for (int k = 0; k < NMAT; k++) F[k][to] = f[k] = c.F[k][p];
+            for (int k = 0; k < NMAT; k++) sigma[k][to] = T[k][p] / determinant(f);
         }
     }
 }
 
+static void core_stress(const void *self, Fields F, Fields sigma)
+{
+    const Bodies *all = &((const Core *)self)->all;
+    for (int b = 0; b < all->n; b++) add_stress(all->sim[b], b ? all->sim[0]->p.n : 0, F, sigma);
+}
+
+/* Of one body: hand-over is refused in scenes with two. */
 static void *core_take_over(const Setup *setup, void *self, Fault *fault)
 {
     Core *next = core_make(setup, fault), *before = self;
     if (!next) return NULL;
+    Sim *to = next->all.sim[0], *from = before->all.sim[0];
     next->start = before->start;
-    next->sim->dt_before = before->sim->dt_before;
-    if (!sim_take_over(next->sim, before->sim, fault)) return next;
+    to->dt_before = from->dt_before;
+    if (!sim_take_over(to, from, fault)) return next;
     core_free(next);
     return NULL;
 }
@@ -163,7 +177,7 @@ static void *core_take_over(const Setup *setup, void *self, Fault *fault)
 static void core_stash(void *self, Stash *s)
 {
     Core *c = self;
-    sim_stash(c->sim, s);
+    bodies_stash(&c->all, s);
     STASH(s, c->start);
 }
 

@@ -36,7 +36,7 @@ typedef struct Work {
     bool on_node; /* a particle lies on a node, and G lacks its slope: on_node.c */
     Payload payload;
     Field T[NMAT];
-    Field sums[POINT_SUMS + MAX_CORNERS * DIM];
+    Field sums[POINT_SUMS + MAX_PARTS * DIM];
     Field body[DIM];
     Line A[CHUNK]; /* payload by particle */
     Line B[CHUNK]; /* its slopes per cell, those along axis d in the lanes from FLUX + d DIM on */
@@ -233,7 +233,8 @@ static inline __attribute__((always_inline)) void gather(const Grid *g, Work *w,
     for (int p = 0; p < CHUNK; p++) {
         Line x[MAX_WIDTH], sum = {0};
         const size_t first = first_node(g, w->stencil, p);
-        for (int i = 0; i < width; i++) x[i] = axis_weight(w->stencil, 0, i, p, &q, tables);
+        x[0] = axis_weight(w->stencil, 0, 0, p, &q, tables);
+        for (int i = 1; i < width; i++) x[i] = axis_weight(w->stencil, 0, i, p, &q, tables);
         FOR_ROWS(r, width)
         {
             const Line *node = g->node + first + row_offset(g, width, r);
@@ -288,8 +289,7 @@ static inline void pack_payload(const Sim *sim, Work *w, bool affine)
             for (int k = 0; k < NMAT; k++) w->B[p][FLUX + k] = sim->dx * q->B[k / DIM][k % DIM][p];
 }
 
-/* Sums from lines to fields, from lane `at` on; the lanes from FLUX on are scaled: per cell to per
- * metre for derivatives, cells to metres for moments. */
+/* Lines to fields, from lane `at` on; from FLUX on per cell to per metre, or cells to metres. */
 static inline void unpack_sums(Work *w, int at, double scale)
 {
     four_fields_from_lines(w->A, w->sums + at);

@@ -89,8 +89,9 @@ static bool fields_alloc(Sim *sim)
     enum { PAGE = 4096 / sizeof(double), STAGGER = 9 * 64 / sizeof(double) };
     Particles *p = &sim->p;
     const size_t stride = ((size_t)p->room + PAGE - 1) / PAGE * PAGE + STAGGER;
-    size_t used = 0;
-    if (!(p->arena = get_huge((FIELDS + 1) * stride, sizeof(double)))) return false;
+    size_t used = 0, fields = 1;
+    for (int f = 0; f < FIELDS; f++) fields += field_used(sim, f);
+    if (!(p->arena = get_huge(fields * stride, sizeof(double)))) return false;
     p->spare = p->arena;
     for (int f = 0; f < FIELDS; f++)
         if (field_used(sim, f)) p->field[f] = p->arena + ++used * stride;

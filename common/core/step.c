@@ -109,6 +109,11 @@ static void sort_if_due(Sim *sim)
         sim_sort(sim);
 }
 
+static bool is_filtered(const Sim *sim, const Pass *pass)
+{
+    return sim->method.filter && (pass->force || !sim->method.filter_first);
+}
+
 static void impose_motion(Sim *sim, double t)
 {
     const Scene *scene = sim->setup->scene;
@@ -118,41 +123,80 @@ static void impose_motion(Sim *sim, double t)
                                p->field + AT_V);
 }
 
-static Status take_passes(Sim *sim, double t, double dt, bool first)
+static Status take_to_nodes(Sim *sim, const Pass *pass, double t, double dt, double scale)
 {
-    const Setup *s = sim->setup;
-    const double before = first ? 0 : sim->dt_before > 0 ? sim->dt_before : dt;
-    const double scale = integrators[s->integrator].half_first ? 0.5 * (before + dt) / dt : 1;
-    sim->dt_before = dt;
-    for (int k = 0; k < 2 && integrators[s->integrator].pass[k].used; k++) {
-        const Pass *pass = &integrators[s->integrator].pass[k];
-        const bool filter = sim->method.filter && (pass->force || !sim->method.filter_first);
-        deposit_all(sim, t, pass->force ? FORCES : MOTION);
-        if (pass->force && sim->skin) skin_deposit(sim, t);
-        if (filter) filter_open(sim);
-        solve_all(sim, dt, scale, pass->force);
-        if (sim->live == 0) return without_support(sim);
-        if (filter) filter_all(sim, dt, pass->force);
-        sim->moved = pass->take & (TAKE_X | MOVE_STASH);
-        if (gather_all(sim, dt, pass->take | (s->refresh ? pass->fresh : 0))) {
-            const Status status = sim_check(sim);
-            if (status.code != OK) return status;
-        }
-        if (sim->half_now > sim->half_plan && k == 0 && integrators[s->integrator].pass[1].used)
-            sim_sort(sim);
+    deposit_all(sim, t, pass->force ? FORCES : MOTION);
+    if (pass->force && sim->skin) skin_deposit(sim, t);
+    if (is_filtered(sim, pass)) filter_open(sim);
+    solve_all(sim, dt, scale, pass->force);
+    return sim->live == 0 ? without_support(sim) : (Status){OK, -1, 0};
+}
+
+static Status take_to_particles(Sim *sim, const Pass *pass, double dt, bool last)
+{
+    if (is_filtered(sim, pass)) filter_all(sim, dt, pass->force);
+    sim->moved = pass->take & (TAKE_X | MOVE_STASH);
+    if (gather_all(sim, dt, pass->take | (sim->setup->refresh ? pass->fresh : 0))) {
+        const Status status = sim_check(sim);
+        if (status.code != OK) return status;
     }
-    if (sim->skin) skin_move(sim, t, dt);
+    if (sim->half_now > sim->half_plan && !last) sim_sort(sim);
     return (Status){OK, -1, 0};
 }
 
-Status sim_step(Sim *sim, double t, double dt, bool first)
+/* Status of the first body that went wrong; *culprit is its number. */
+static Status worst_of(Sim *const body[], int n, int *culprit)
+{
+    for (int b = 0; b < n; b++)
+        if (body[b]->status.code != OK) {
+            *culprit = b;
+            return body[b]->status;
+        }
+    return (Status){OK, -1, 0};
+}
+
+static void open_step(Sim *sim, double t)
 {
     sim->moved = false;
     if (sim->status.code == OK) sort_if_due(sim);
     if (sim->status.code == OK) impose_motion(sim, t);
     mirror_move_walls(sim, t);
-    if (sim->status.code == OK) sim->status = take_passes(sim, t, dt, first);
-    return sim->status;
+}
+
+/* What the accelerations of this step are multiplied by. */
+static double find_scale(Sim *sim, double dt, bool first)
+{
+    const double before = first ? 0 : sim->dt_before > 0 ? sim->dt_before : dt;
+    sim->dt_before = dt;
+    return integrators[sim->setup->integrator].half_first ? 0.5 * (before + dt) / dt : 1;
+}
+
+Status sim_step_bodies(Sim *const body[], int n, double t, double dt, bool first, Meet *meet,
+                       void *own, int *culprit)
+{
+    const Pass *passes = integrators[body[0]->setup->integrator].pass;
+    double scale[MAX_BODIES];
+    for (int b = 0; b < n; b++) open_step(body[b], t);
+    if (worst_of(body, n, culprit).code != OK) return worst_of(body, n, culprit);
+    for (int b = 0; b < n; b++) scale[b] = find_scale(body[b], dt, first);
+    for (int k = 0; k < 2 && passes[k].used; k++) {
+        const Pass *pass = &passes[k];
+        const bool last = k > 0 || !passes[1].used;
+        for (int b = 0; b < n; b++) body[b]->status = take_to_nodes(body[b], pass, t, dt, scale[b]);
+        if (worst_of(body, n, culprit).code != OK) return worst_of(body, n, culprit);
+        if (meet) meet(own, dt, pass->force);
+        for (int b = 0; b < n; b++) body[b]->status = take_to_particles(body[b], pass, dt, last);
+        if (worst_of(body, n, culprit).code != OK) return worst_of(body, n, culprit);
+    }
+    for (int b = 0; b < n; b++)
+        if (body[b]->skin) skin_move(body[b], t, dt);
+    return (Status){OK, -1, 0};
+}
+
+Status sim_step(Sim *sim, double t, double dt, bool first)
+{
+    int culprit;
+    return sim_step_bodies(&sim, 1, t, dt, first, NULL, NULL, &culprit);
 }
 
 Status sim_project(Sim *sim)

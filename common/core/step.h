@@ -20,6 +20,14 @@ bool step_strain_first(Integrator i);
  * are; a Sim that went wrong takes no more steps and says the same again. */
 Status sim_step(Sim *sim, double t, double dt, bool first);
 
+/* The same for n bodies pass by pass; `meet` comes in every pass when the nodes of all bodies have
+ * their velocities, before particles take them, `force` in the pass that accelerates. The first
+ * fault of the first body that has one; *culprit: its number. */
+enum { MAX_BODIES = 2 };
+typedef void Meet(void *own, double dt, bool force);
+Status sim_step_bodies(Sim *const body[], int n, double t, double dt, bool first, Meet *meet,
+                       void *own, int *culprit);
+
 /* Masses and velocities to the grid, nothing else. */
 Status sim_project(Sim *sim);
 

@@ -22,7 +22,7 @@ typedef struct Affine {
 
 static bool is_affine(const Sim *sim)
 {
-    return sim->method.affine && !sim->method.assemble;
+    return (sim->method.affine || sim->method.modes) && !sim->method.assemble;
 }
 
 /* The slots of particles with mass (surface: of surface points) by ascending id. Returns their

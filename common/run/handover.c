@@ -137,6 +137,10 @@ int handover_plan(RunSpec *spec, const Plan *first, Handover *out, Fault *fault)
         return fault_set(fault, FAULT_USAGE,
                          "--then: got '%s', takes a scene in motion, and %s has no time steps",
                          then, spec->problem);
+    if (first->scene.problem->part)
+        return fault_set(fault, FAULT_USAGE,
+                         "--then: got '%s', takes a scene with one body, and %s has two", then,
+                         spec->problem);
     if (first->scene.traction)
         return fault_set(fault, FAULT_USAGE,
                          "--then: got '%s', takes a surface without traction, whose points the "

@@ -51,7 +51,7 @@ typedef struct Loop {
     Counted counted;            /* of the instant before */
     double noise;               /* [J] round-off of stored energy */
     long instants;              /* whose energy is recorded */
-    double bodies, work;        /* [J] of body forces on the steps finished; and of tractions */
+    double bodies, work;        /* [J] of body forces on the steps finished; of all */
     double *from[DIM]; /* [m] positions by id after the last step, for work; owned, or NULL */
     Vec p0;
     double drift, momentum; /* largest |p - p0 - impulse|, largest sum m |v| */

@@ -90,6 +90,7 @@ static void state_line(FILE *out, const State *s, int k)
     const double in_space[] = {s->X[k][2], s->x[k][2], s->v[k][2], f[2], f[5],
                                f[6],       f[7],       f[8],       t[2], t[5]};
     for (int c = 0; c < 10; c++) number(out, DIM > 2 ? in_space[c] : NAN, c < 9 ? "," : "");
+    if (s->body) fprintf(out, ",%d", s->body[k]);
     for (int own = 0; s->own_name && s->own_name[own]; own++) {
         fputs(",", out);
         number(out, s->own[(size_t)own * ((size_t)s->n + 1) + (size_t)k], "");
@@ -104,6 +105,7 @@ static int write_state(const char *path, const State *s, Fault *fault)
     fputs("id,X,Y,x,y,vx,vy,Fxx,Fxy,Fyx,Fyy,sxx,syy,sxy,szz,von_mises,mass,surface,energy,"
           "Z,z,vz,Fxz,Fyz,Fzx,Fzy,Fzz,sxz,syz",
           out);
+    if (s->body) fputs(",body", out);
     for (int f = 0; s->own_name && s->own_name[f]; f++) fprintf(out, ",%s", s->own_name[f]);
     fputs("\n", out);
     for (int k = 0; k < s->n; k++) state_line(out, s, k);

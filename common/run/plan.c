@@ -35,12 +35,12 @@ static int read_params(const RunSpec *spec, const Param *params, double value[],
 
 static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
 {
-    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params,
-                            settings_common};
-    const char *names[3 * MAX_PARAMS];
+    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params, settings_common,
+                            plan->second ? plan->second->params : NULL};
+    const char *names[4 * MAX_PARAMS];
     int n = 0;
     if (handover_is_setting(name)) return 0;
-    for (int l = 0; l < 3; l++) {
+    for (int l = 0; l < 4; l++) {
         if (info_param_find(lists[l], name)) return 0;
         for (int k = 0; k < param_count(lists[l]); k++) names[n++] = lists[l][k].name;
     }
@@ -59,36 +59,23 @@ static const Problem *find_problem(const char *name)
     return NULL;
 }
 
-/* Finds the method by name: a plug-in, or a mesh solver. */
-static int choose_method(RunSpec *spec, Plan *plan, Fault *fault)
+/* Length of the bodies along the first axis [m], without what lies between two. */
+static double body_length(const Scene *scene)
 {
-    const char *names[64];
-    int n = 0;
-    if (!spec->method[0]) strcpy(spec->method, "gimp");
-    plan->solver = &particle_solver;
-    for (const Method *const *m = methods; *m; m++) {
-        names[n++] = (*m)->info.name;
-        if (strcmp((*m)->info.name, spec->method)) continue;
-        plan->setup.method = *m;
-        plan->method = &(*m)->info;
+    double length = scene->body_hi[0] - scene->body_lo[0];
+    for (int b = 0; b < 2 && scene->problem->part; b++) {
+        Scene own = *scene;
+        scene->problem->part(&own, b);
+        length = (b ? length : 0) + own.body_hi[0] - own.body_lo[0];
     }
-    for (const Solver *const *s = solvers; *s; s++) {
-        names[n++] = (*s)->info.name;
-        if (strcmp((*s)->info.name, spec->method)) continue;
-        plan->solver = *s;
-        plan->method = &(*s)->info;
-    }
-    if (plan->method) return 0;
-    return fault_set(fault, FAULT_USAGE,
-                     "--method: got '%s', takes a method of %dD; did you mean '%s'?", spec->method,
-                     DIM, fault_nearest_name(spec->method, names, n));
+    return length;
 }
 
 /* 1D: a whole number of particles; 2D lattice: n^2 per cell; 3D: n^3 in any layout. */
 static int choose_ppc(RunSpec *spec, Plan *plan, const double run[], Fault *fault)
 {
     Setup *s = &plan->setup;
-    const double length = plan->scene.body_hi[0] - plan->scene.body_lo[0];
+    const double length = body_length(&plan->scene);
     const double given = spec_get(spec, "particles") ? run[P_PARTICLES] : 0;
     if (given > 0 && (DIM > 1 || spec->ppc > 0))
         return fault_set(fault, FAULT_USAGE,
@@ -118,22 +105,39 @@ static int by_name(const void *a, const void *b)
     return strcmp(((const Setting *)a)->name, ((const Setting *)b)->name);
 }
 
-/* Value of a run setting that is not typed, with this method (NULL: a mesh). */
-static double usual_value(const Param *p, const Method *m)
+/* Are particles fitted to the body unless asked otherwise? With two methods if one needs it. */
+static bool needs_surface(const Setup *s)
 {
-    if (p == &settings_common[P_LAYOUT]) return m && m->surface;
-    if (p == &settings_common[P_FRAME]) return m ? m->frame : FRAME_CURRENT;
+    return (s->method && s->method->surface) || (s->method_b && s->method_b->surface);
+}
+
+/* Of two bodies' methods: does each have a default of its own for this parameter, which was not
+ * given? Then its name cannot say both. */
+static bool has_two_defaults(const RunSpec *spec, const Plan *plan, const char *name)
+{
+    const Param *a = info_param_find(plan->method->params, name);
+    const Param *b = plan->second ? info_param_find(plan->second->params, name) : NULL;
+    return a && b && fabs(a->value - b->value) > 0 && !spec_get(spec, name);
+}
+
+/* Value of a run setting that is not typed, in this run. */
+static double usual_value(const Param *p, const Setup *s)
+{
+    if (p == &settings_common[P_LAYOUT]) return needs_surface(s);
+    if (p == &settings_common[P_FRAME]) return settings_usual_frame(s);
     return p->value;
 }
 
 /* Adds every parameter of problem and method to the spec, which then selects this run alone. */
 static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
 {
-    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params};
-    const double *values[] = {plan->problem_par, plan->method_par};
+    const Param *lists[] = {plan->scene.problem->info.params, plan->method->params,
+                            plan->second ? plan->second->params : NULL};
+    const double *values[] = {plan->problem_par, plan->method_par, plan->second_par};
     char text[64], pair[128];
-    for (int l = 0; l < 2; l++)
+    for (int l = 0; l < 3; l++)
         for (int k = 0; k < param_count(lists[l]); k++) {
+            if (has_two_defaults(spec, plan, lists[l][k].name)) continue;
             if (info_param_is_path(&lists[l][k])) continue; /* as typed, or absent */
             info_param_print(&lists[l][k], values[l][k], text);
             snprintf(pair, sizeof pair, "%s=%s", lists[l][k].name, text);
@@ -146,7 +150,7 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
         double value = 0;
         char takes[128];
         const bool read = p && !info_param_parse(p, spec->set[k].value, &value, takes);
-        const double known = p ? usual_value(p, plan->setup.method) : 0;
+        const double known = p ? usual_value(p, &plan->setup) : 0;
         const bool differs = p == &settings_common[P_DIM] || fabs(value - known) > 0;
         const bool keep = !p || (p != &settings_common[P_PARTICLES] && read && differs);
         if (!keep) continue;
@@ -219,7 +223,7 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     if (!plan->scene.problem)
         return fault_set(fault, FAULT_USAGE, "problem: got '%s', not one of %dD", spec->problem,
                          DIM);
-    if (choose_method(spec, plan, fault)) return FAULT_USAGE;
+    if (settings_method(spec, plan, fault)) return FAULT_USAGE;
     for (int k = 0; k < spec->nset; k++)
         if (unknown_setting(plan, spec->set[k].name, fault)) return FAULT_USAGE;
     if (!(spec->cells > 0)) spec->cells = plan->scene.problem->cells;
@@ -227,14 +231,16 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
         whole("particles", run[P_PARTICLES], fault) || whole("repeat", run[P_REPEAT], fault) ||
         whole("subcycles", run[P_SUBCYCLES], fault) ||
         read_params(spec, plan->method->params, plan->method_par, fault) ||
+        read_params(spec, plan->second ? plan->second->params : NULL, plan->second_par, fault) ||
         make_scene(spec, plan, fault) || settings_integrator(spec, plan, run, fault) ||
         settings_strain(spec, plan, run, fault) || settings_frame(spec, plan, run, fault) ||
         plan_check_outputs(spec, plan, fault))
         return FAULT_USAGE;
     s->scene = &plan->scene;
     s->method_par = plan->method_par;
+    s->method_b_par = plan->second_par;
     s->cells = (int)spec->cells;
-    s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : s->method && s->method->surface;
+    s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : needs_surface(s);
     s->threads = spec->threads > 0 ? spec->threads : 1;
     s->reactions = spec->history != NULL;
     s->snapshot_nodes = plan->scene.problem->projection || spec->nodes || spec->vtk;

@@ -13,7 +13,8 @@ typedef struct Plan {
     Setup setup;
     const Solver *solver;
     const Info *method; /* info of the method or solver */
-    double problem_par[MAX_PARAMS], method_par[MAX_PARAMS];
+    const Info *second; /* of the second body's method, or NULL: the same */
+    double problem_par[MAX_PARAMS], method_par[MAX_PARAMS], second_par[MAX_PARAMS];
     char text[SETTING_TEXT]; /* the problem's parameter that is the name of a file */
     double cfl, t_end;
     long steps;       /* stop after so many; 0: no limit */

@@ -12,14 +12,21 @@ int plan_no_exact_motion(const RunSpec *spec, Fault *fault)
                      spec->errors);
 }
 
+static bool needs_distance(const Method *m, const double par[])
+{
+    if (!m) return false;
+    Method own = *m;
+    if (own.adapt) own.adapt(par, &own);
+    return own.scene_distance;
+}
+
 /* A method that, with these parameters, asks the scene for distances which it does not have. */
 static int check_distance(const RunSpec *spec, const Plan *plan, Fault *fault)
 {
-    const Method *m = plan->setup.method;
-    if (!m || plan->scene.problem->distance) return 0;
-    Method own = *m;
-    if (own.adapt) own.adapt(plan->method_par, &own);
-    if (!own.scene_distance) return 0;
+    const Setup *s = &plan->setup;
+    if (plan->scene.problem->distance || (!needs_distance(s->method, plan->method_par) &&
+                                          !needs_distance(s->method_b, plan->second_par)))
+        return 0;
     char known[128] = "none";
     for (size_t k = 0, at = 0; problems[k]; k++)
         if (problems[k]->distance && at < sizeof known)
@@ -35,7 +42,8 @@ static int check_distance(const RunSpec *spec, const Plan *plan, Fault *fault)
 int plan_check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
 {
     const Solver *solver = plan->solver;
-    const bool polygons = solver->elements || (plan->setup.method && plan->setup.method->patches);
+    const bool polygons = solver->elements || (plan->setup.method && plan->setup.method->patches) ||
+                          (plan->setup.method_b && plan->setup.method_b->patches);
     const char *name = plan->method->name;
     if (check_distance(spec, plan, fault)) return FAULT_USAGE;
     if (plan->scene.problem->projection && !solver->project)

@@ -12,7 +12,7 @@ static bool is_inside(const Scene *s, const Vec X)
 }
 
 /* Inside, or so near that round-off may have put it outside: tries the corners of a tiny box. */
-static bool is_in_body(const Scene *s, const double at[3])
+static bool is_in_part(const Scene *s, const double at[3])
 {
     Vec X;
     for (int d = 0; d < DIM; d++) X[d] = at[d];
@@ -23,6 +23,17 @@ static bool is_in_body(const Scene *s, const double at[3])
         inside = is_inside(s, X);
     }
     return inside;
+}
+
+static bool is_in_body(const Scene *whole, const double at[3])
+{
+    if (!whole->problem->part) return is_in_part(whole, at);
+    for (int b = 0; b < 2; b++) {
+        Scene s = *whole;
+        whole->problem->part(&s, b);
+        if (is_in_part(&s, at)) return true;
+    }
+    return false;
 }
 
 int probe_check(const RunSpec *spec, const Scene *scene, Fault *fault)

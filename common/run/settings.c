@@ -45,6 +45,61 @@ static const Param run_params[] = {
 
 const Param *const settings_common = run_params;
 
+/* A method by name: a plug-in, or a mesh solver. */
+typedef struct Named {
+    const Method *method;
+    const Solver *solver;
+    const Info *info;
+} Named;
+
+static int find_method(const char *name, Named *out, Fault *fault)
+{
+    const char *names[64];
+    int n = 0;
+    for (const Method *const *m = methods; *m; m++) {
+        names[n++] = (*m)->info.name;
+        if (strcmp((*m)->info.name, name) == 0) *out = (Named){*m, &particle_solver, &(*m)->info};
+    }
+    for (const Solver *const *s = solvers; *s; s++) {
+        names[n++] = (*s)->info.name;
+        if (strcmp((*s)->info.name, name) == 0) *out = (Named){NULL, *s, &(*s)->info};
+    }
+    if (out->info) return 0;
+    return fault_set(fault, FAULT_USAGE,
+                     "--method: got '%s', takes a method of %dD; did you mean '%s'?", name, DIM,
+                     fault_nearest_name(name, names, n));
+}
+
+/* One method, or A+B in a scene with two bodies. */
+int settings_method(RunSpec *spec, Plan *plan, Fault *fault)
+{
+    if (!spec->method[0]) strcpy(spec->method, "gimp");
+    const char *plus = strchr(spec->method, '+');
+    char first[sizeof spec->method];
+    Named a = {0}, b = {0};
+    snprintf(first, sizeof first, "%.*s", plus ? (int)(plus - spec->method) : 31, spec->method);
+    if (find_method(first, &a, fault) || (plus && find_method(plus + 1, &b, fault)))
+        return FAULT_USAGE;
+    const bool two = plan->scene.problem->part, mesh = !a.method || (plus && !b.method);
+    if (plus && !two)
+        return fault_set(fault, FAULT_USAGE,
+                         "--method: got '%s', takes one method in %s, which has one body",
+                         spec->method, spec->problem);
+    if (two && mesh)
+        return fault_set(fault, FAULT_USAGE,
+                         "--method: got '%s', takes a method with a grid in %s, whose two bodies "
+                         "meet at grid nodes",
+                         spec->method, spec->problem);
+    if (a.info == b.info) strcpy(spec->method, first);
+    plan->solver = a.solver;
+    plan->method = a.info;
+    plan->setup.method = a.method;
+    if (!plus || a.info == b.info) return 0;
+    plan->second = b.info;
+    plan->setup.method_b = b.method;
+    return 0;
+}
+
 static int unknown_integrator(const char *got, Fault *fault)
 {
     const char *names[INTEGRATORS];
@@ -58,8 +113,15 @@ int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fa
 {
     Setup *s = &plan->setup;
     const Method *m = s->method;
-    if (!spec->integrator[0])
-        strcpy(spec->integrator, step_integrators[m ? m->integrator[DIM] : CD].name);
+    const bool coulomb = plan->scene.problem->part && plan->scene.contact == CONTACT_BARDENHAGEN;
+    const unsigned contact = coulomb ? 1u << CD | 1u << USL : ~0u; /* contact.c says why */
+    const Method *b = s->method_b; /* of the second body, if it is another */
+    if (!spec->integrator[0]) {
+        int usual = m ? m->integrator[DIM] : CD;
+        if (b && !(b->valid >> usual & 1)) usual = b->integrator[DIM];
+        if (!(contact >> usual & 1)) usual = CD;
+        strcpy(spec->integrator, step_integrators[usual].name);
+    }
     while (s->integrator < INTEGRATORS &&
            strcmp(spec->integrator, step_integrators[s->integrator].name))
         s->integrator++;
@@ -70,13 +132,21 @@ int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fa
         return fault_set(fault, FAULT_USAGE, "--integrator: got '%s', %s takes cd only",
                          spec->integrator, spec->method);
     }
-    const unsigned valid = m->valid | (s->refresh ? m->valid_fresh : 0);
+    if (!(contact >> s->integrator & 1) && !(run[P_ALLOW] > 0))
+        return fault_set(fault, FAULT_USAGE,
+                         "--integrator: got '%s', which gains energy where two bodies touch: %s "
+                         "takes cd or usl; contact=none or allow_unstable=1 runs it",
+                         spec->integrator, spec->problem);
+    const unsigned other = b ? b->valid | (s->refresh ? b->valid_fresh : 0) : ~0u;
+    const unsigned valid = (m->valid | (s->refresh ? m->valid_fresh : 0)) & other;
     if (valid >> s->integrator & 1 || run[P_ALLOW] > 0) return 0;
     return fault_set(
         fault, FAULT_USAGE,
         "--integrator: got '%s', which is unstable with %s%s; allow_unstable=1 runs it",
         spec->integrator, spec->method,
-        m->valid_fresh >> s->integrator & 1 ? " (stable with --set refresh=1)" : "");
+        (b ? m->valid_fresh | b->valid_fresh : m->valid_fresh) >> s->integrator & 1
+            ? " (stable with --set refresh=1)"
+            : "");
 }
 
 /* Do the method's stencils widen with the particles, with these parameters? */
@@ -114,7 +184,9 @@ int settings_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *
     s->domain = (Domain)run[P_DOMAIN];
     s->strain = (StrainUpdate)run[P_STRAIN];
     s->subcycles = (int)run[P_SUBCYCLES];
-    if (s->domain != DOMAIN_FXX && !(s->method && has_boxes(s->method, plan->method_par)))
+    const bool boxes = (s->method && has_boxes(s->method, plan->method_par)) ||
+                       (s->method_b && has_boxes(s->method_b, plan->second_par));
+    if (s->domain != DOMAIN_FXX && !boxes)
         return fault_set(fault, FAULT_USAGE,
                          "--set domain: got '%s', takes fxx with %s, which sees no particle's size",
                          spec_get(spec, "domain"), spec->method);
@@ -136,18 +208,30 @@ static bool meets_walls_later(const Scene *s)
     return false;
 }
 
+Frame settings_usual_frame(const Setup *s)
+{
+    const bool total = (s->method && s->method->frame == FRAME_TOTAL) ||
+                       (s->method_b && s->method_b->frame == FRAME_TOTAL);
+    return total ? FRAME_TOTAL : FRAME_CURRENT;
+}
+
 /* Frame of the stencils: what is asked for, or the method's. */
 int settings_frame(const RunSpec *spec, Plan *plan, const double run[], Fault *fault)
 {
     Setup *s = &plan->setup;
     const char *given = spec_get(spec, "frame");
-    s->frame = given ? (Frame)run[P_FRAME] : s->method ? s->method->frame : FRAME_CURRENT;
+    s->frame = given ? (Frame)run[P_FRAME] : settings_usual_frame(s);
     if (s->frame != FRAME_TOTAL) return 0;
     if (!s->method || s->method->assemble)
         return fault_set(fault, FAULT_USAGE,
                          "--set frame: got 'total', takes current with %s, which %s", spec->method,
                          s->method ? "integrates over cells as the body fills them now"
                                    : "has no particles");
+    if (plan->scene.problem->part)
+        return fault_set(fault, FAULT_USAGE,
+                         "--set frame: got 'total'%s, takes current with %s, whose two bodies meet "
+                         "where they are now",
+                         given ? "" : " (the method's default)", spec->problem);
     if (meets_walls_later(&plan->scene))
         return fault_set(
             fault, FAULT_USAGE,

@@ -23,11 +23,17 @@ enum {
     RUN_PARAMS
 };
 
+/* The method, or two of them (A+B), and what solves with it. 0 or a fault. */
+int settings_method(RunSpec *spec, Plan *plan, Fault *fault);
+
 /* Time integrator; particle boxes and the update of F; frame: into plan->setup, from the run's
  * settings run[RUN_PARAMS]. 0, or a fault: a pair that is refused. */
 int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault);
 int settings_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *fault);
 int settings_frame(const RunSpec *spec, Plan *plan, const double run[], Fault *fault);
+
+/* The frame that a run has unless it is asked for another: its methods'. */
+Frame settings_usual_frame(const Setup *s);
 
 /* Does setting k change anything on this problem with some method; with this method (NULL: a mesh)
  * at its default parameters on some problem? */

@@ -70,7 +70,7 @@ static int write_kind(Snapshots *s, int kind, long step, const VtkData *data, Fa
 
 static int write_points(Snapshots *s, const State *state, long step, double t, Fault *fault)
 {
-    VtkArray arrays[11 + MAX_OWN] = {
+    VtkArray arrays[12 + MAX_OWN] = {
         {"id", VTK_I64, 1, state->id},
         {"X", VTK_F64, 3, state->X},
         {"displacement", VTK_F64, 3, state->u},
@@ -82,9 +82,11 @@ static int write_points(Snapshots *s, const State *state, long step, double t, F
         {"mass", VTK_F64, 1, state->m},
         {"surface", VTK_U8, 1, state->surface},
     };
+    int n = 10;
+    if (state->body) arrays[n++] = (VtkArray){"body", VTK_U8, 1, state->body};
     for (int f = 0; state->own_name && state->own_name[f]; f++)
-        arrays[10 + f] = (VtkArray){state->own_name[f], VTK_F64, 1,
-                                    state->own + (size_t)f * ((size_t)state->n + 1)};
+        arrays[n++] = (VtkArray){state->own_name[f], VTK_F64, 1,
+                                 state->own + (size_t)f * ((size_t)state->n + 1)};
     return write_kind(
         s, SHOT_PARTICLES, step,
         &(VtkData){

@@ -10,11 +10,11 @@ static int state_own(const State *s)
     return k;
 }
 
-static bool state_new(State *s, int n, const char *const *own_name, Fault *fault)
+static bool state_new(State *s, int n, const char *const *own_name, bool two, Fault *fault)
 {
     *s = (State){.n = n, .own_name = own_name};
     const size_t own = (size_t)state_own(s);
-    const size_t row = (12 + 18 + 4 + own) * sizeof(double) + 1, room = (size_t)n + 1;
+    const size_t row = (12 + 18 + 4 + own) * sizeof(double) + 2, room = (size_t)n + 1;
     char *at = s->memory = calloc(room, row);
     if (!at) {
         fault_set(fault, FAULT_MACHINE, "out of memory for %d rows of output", n);
@@ -31,7 +31,8 @@ static bool state_new(State *s, int n, const char *const *own_name, Fault *fault
     s->m = (void *)at, at += room * sizeof *s->m;
     s->id = (void *)at, at += room * sizeof *s->id;
     s->own = (void *)at, at += own * room * sizeof *s->own;
-    s->surface = (void *)at;
+    s->surface = (void *)at, at += room;
+    s->body = two ? (void *)at : NULL;
     return true;
 }
 
@@ -82,6 +83,7 @@ static void set_point(State *s, const Scene *scene, const Points *p, double *con
     s->id[r] = r;
     s->m[r] = p->m[k];
     s->surface[r] = (uint8_t) !(p->m[k] > 0);
+    if (s->body) s->body[r] = r >= p->second;
     set_strain(s, scene, r, f, t);
 }
 
@@ -96,7 +98,7 @@ int state_of_points(State *out, const Scene *scene, const Solver *solver, const 
     for (int k = 0; k < p.n; k++) count += p.id[k] >= 0;
     double *room = malloc(sizeof(double) * 2 * NMAT * (size_t)(p.n + 1));
     if (!room) return fault_set(fault, FAULT_MACHINE, "out of memory for %d rows of output", p.n);
-    const bool ok = state_new(out, count, p.own_name, fault);
+    const bool ok = state_new(out, count, p.own_name, p.second > 0, fault);
     for (int k = 0; k < 2 * NMAT; k++) M[k] = room + (size_t)k * (size_t)p.n;
     if (ok) solver->point_stress(self, M, M + NMAT);
     for (int k = 0; ok && k < p.n; k++)
@@ -147,7 +149,7 @@ int state_of_elements(State *out, const Scene *scene, const Solver *solver, cons
 {
     int n = 0;
     solver->patches(self, count_patch, &n);
-    if (!state_new(out, n, NULL, fault)) return FAULT_MACHINE;
+    if (!state_new(out, n, NULL, false, fault)) return FAULT_MACHINE;
     solver->patches(self, fill_patch, &(Filling){out, scene, 0});
     return 0;
 }

@@ -15,6 +15,7 @@ typedef struct State {
     double (*F)[9], (*sigma)[9], *von_mises, *energy; /* [-] [Pa] [Pa] [J/m^DIM] stored */
     double *m;                                        /* [kg] */
     uint8_t *surface;                                 /* 1: a surface particle */
+    uint8_t *body;                                    /* 0, 1; NULL: there is one */
     const char *const *own_name;                      /* fields of the method's own, or NULL */
     double *own;                                      /* [field][n + 1] */
     void *memory;                                     /* all arrays */

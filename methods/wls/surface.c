@@ -118,3 +118,16 @@ void wls_distances(Sim *sim, int row, double t)
         w->distance[at] = fabs(d) < ON_SURFACE ? ON_SURFACE : d;
     }
 }
+
+bool wls_normal(const Sim *sim, size_t node, double n[DIM])
+{
+    const Wls *w = sim->own;
+    const Line *skin = w->skin[node];
+    double square = 0;
+    if (!w->skinned[node] || !(skin[0][K_ONE] > 0)) return false;
+    for (int d = 0; d < DIM; d++) square += skin[0][K_NORMAL + d] * skin[0][K_NORMAL + d];
+    const double length = sqrt(square);
+    if (!(length > 0.5 * skin[0][K_ONE])) return false; /* an edge, or two surfaces */
+    for (int d = 0; d < DIM; d++) n[d] = skin[0][K_NORMAL + d] / length;
+    return true;
+}

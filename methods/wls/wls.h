@@ -244,6 +244,7 @@ void wls_free(Sim *sim);
 void wls_adapt(const double par[], Method *own);
 void wls_assemble(Sim *sim, double t, bool force);
 void wls_repair(Sim *sim, double dt);
+bool wls_normal(const Sim *sim, size_t node, double n[DIM]);
 void wls_patches(const Sim *sim, PatchVisit *visit, void *own);
 
 /* Indices of the node of a row of nodes at i. */

@@ -1,4 +1,4 @@
-/* csv_append.c: one write() a row under flock, so that parallel runs can share a table. */
+/* csv_append.c: one write() per row under flock, so that parallel runs can share a table. */
 #include "csv_append.h"
 
 #include <errno.h>
@@ -55,9 +55,10 @@ int csv_append_check(const char *path, Fault *fault)
     return errno == ENOENT ? file_check(path, fault) : fault_machine(fault, path);
 }
 
-/* Makes the file end in a whole line: a last line without its end gets one if it has every cell,
- * and is dropped if not. So it is where a block of the disk ends, for that is where writes are
- * torn: its last number may have lost digits. The file's new size, or -1. */
+/* Makes the file end in a whole line. A last line without a newline gets one if it has every cell,
+ * else it is dropped. It is also dropped if the file ends exactly at the boundary of a disk block:
+ * a torn write stops there, and the last number may have lost digits. Returns the file's new size,
+ * or -1. */
 static off_t mend_tail(int fd, off_t size, int columns, const char *path, FILE *notes)
 {
     char c = '\n';

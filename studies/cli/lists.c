@@ -44,7 +44,7 @@ static int range_parse(char *text, Range *r)
     return grows && r->from <= r->to ? 0 : -1;
 }
 
-/* As it would be typed, not as a sum of rounding errors. */
+/* Prints a value of a range as it would be typed, without the rounding errors of the sum. */
 static void value_print(double x, bool whole, char out[64])
 {
     if (whole) x = round(x);

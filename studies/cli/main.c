@@ -15,8 +15,8 @@ static int is_help(const char *text)
     return strcmp(text, "--help") == 0 || strcmp(text, "-h") == 0;
 }
 
-/* What the program says of itself; 0 if text is none of these options. */
-static int says(const char *text)
+/* Prints help, manual, completion or version; 0 if text is none of these options. */
+static int print_self_description(const char *text)
 {
     if (is_help(text))
         manual_help(commands, COMMANDS);
@@ -66,7 +66,7 @@ static int dispatch(int argc, char **argv, Fault *fault)
 {
     if (argc < 2)
         return fault_set(fault, FAULT_USAGE, "COMMAND: got nothing, takes one of those in --help");
-    if (says(argv[1])) return 0;
+    if (print_self_description(argv[1])) return 0;
     if (strcmp(argv[1], "help") == 0) return help(argc - 1, argv + 1, fault);
     const Command *c = command_named(argv[1], fault);
     if (!c) return FAULT_USAGE;

@@ -218,7 +218,7 @@ static void write_orders(FILE *f, const Curves *c)
     }
 }
 
-/* Of x, and of |y| above 0 in finished runs. */
+/* Finds the ranges of x, and of |y| above 0, in finished runs. */
 static void find_ranges(const Curves *c, Range *x, Range *y)
 {
     *x = *y = (Range){NAN, NAN};
@@ -266,7 +266,7 @@ static void write_names(FILE *f, const Curves *c)
     fputs("'\n", f);
 }
 
-/* A run ends at t_end in any case. */
+/* Notes runs that had fewer steps than --set steps=N, because they end at t_end in any case. */
 static void note_steps(const Table *rows)
 {
     int n = 0;

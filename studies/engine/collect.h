@@ -5,7 +5,8 @@
 
 #include "cases.h"
 
-/* Prints one shell command a missing case, and makes the folder dir/NAME.collect for their rows. */
+/* Prints one shell command per missing case, and makes the folder dir/NAME.collect for their rows.
+ */
 int collect_list(const Study *study, const Cases *cases, const Journal *journal, const char *dir,
                  Fault *fault);
 

@@ -1,4 +1,4 @@
-/* gnuplot.h: one gnuplot, without a shell and not for ever. */
+/* gnuplot.h: runs gnuplot without a shell, for a limited time. */
 #ifndef MPMLAB_GNUPLOT_H
 #define MPMLAB_GNUPLOT_H
 

@@ -192,7 +192,7 @@ int journal_append(int fd, const char *key, const char *row)
     return done == whole ? 0 : error;
 }
 
-/* ---- Journals lose the rows of programs that are gone */
+/* ---- Compaction: rows of programs that are gone are dropped */
 
 /* What the key says of the program that made the row: its last word. */
 static const char *program_of(const char *key)

@@ -1,4 +1,4 @@
-/* plot.c: which figures are to be drawn, once a format; a figure appears whole. */
+/* plot.c: which figures must be drawn, once per format; a figure appears whole or not at all. */
 #include "plot.h"
 
 #include <dirent.h>

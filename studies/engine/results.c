@@ -23,7 +23,7 @@ enum { KEPT = 8 };
 
 struct ResultsOwn {
     Part *parts;
-    Table *kept[KEPT]; /* of runs, each over the eighth before it */
+    Table *kept[KEPT]; /* tables of runs; a new one replaces the oldest */
     int read;          /* how many were */
     Table *rows;
     Cases cases;

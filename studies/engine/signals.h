@@ -1,4 +1,4 @@
-/* signals.h: waiting for a child, for time to pass or for a wish to stop, without a race. */
+/* signals.h: waiting for a child, a time or a request to stop, without a race. */
 #ifndef MPMLAB_SIGNALS_H
 #define MPMLAB_SIGNALS_H
 
@@ -13,7 +13,7 @@ typedef struct Signals {
 void signals_hold(Signals *s);
 void signals_release(const Signals *s);
 
-/* Waits until one comes, at most `seconds`. Was it a wish to stop? */
+/* Waits until one comes, at most `seconds`. Was it a request to stop? */
 bool signals_wait(const Signals *s, double seconds);
 
 /* From now on the first SIGINT, SIGTERM or SIGHUP only makes the result different from 0; the next

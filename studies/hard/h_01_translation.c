@@ -1,10 +1,10 @@
 /* h_01_translation.c: hard case H-1: a body of uniform stress moves over the grid.
  *
  * Inside it no force may act, wherever its particles lie in their cells. The particles' lattice is
- * stretched, so that its spacing is no part of a cell and every node inside sees another offset;
+ * stretched, so that its spacing is no part of a cell and every node inside has another offset;
  * four random offsets of the whole (gsl_rng_mt19937, fixed seed) make over 200 of them. One step of
  * usl from the uniform velocity V leaves v_i = V + a_i dt on the nodes: f_i = m_i (v_i - V)/dt.
- * It is told in units of |sigma| times the area of a cell's face.
+ * It is given in units of |sigma| times the area of a cell's face.
  *
  * A tent's gradient jumps where a particle crosses a node: f changes by twice the particle's share
  * of a cell's force, 2 F/n, on any mesh. GIMP's boxes tile space while F is a stretch along the

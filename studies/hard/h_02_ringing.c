@@ -1,4 +1,5 @@
-/* h_02_ringing.c: hard case H-2: velocities that the grid cannot see.
+/* h_02_ringing.c: hard case H-2: particle velocities in the null space of the projection, which the
+ * grid cannot see.
  *
  * In a block at rest the particles' velocities alternate, +d and -d; with two or more of them to a
  * cell they cancel at every node inside, v_i = 0. Their amplitude relative to the initial one is
@@ -18,7 +19,7 @@ static const int shown[] = {0,  1,   2,   3,   5,   7,   10,  15,   20,   30,  5
                             70, 100, 150, 200, 300, 500, 700, 1000, 1200, 1500};
 enum { SHOWN = sizeof shown / sizeof *shown };
 
-/* As it comes; its filter's first order, which is PIC; returned through splines. */
+/* Variants: the defaults of the method; its filter at order 1, which is PIC; return=spline. */
 static const struct {
     const char *name, *param;
 } variants[VARIANTS] = {{"usual", NULL}, {"order=1", "order"}, {"return=spline", "return"}};
@@ -78,7 +79,7 @@ static void write_one(FILE *f, const Results *r, const char *method, int dim, in
                     results_status(r, part));
 }
 
-/* The most that was ever left of it, wherever the block lies. */
+/* Writes the largest amplitude of the mode at any instant, for every offset of the block. */
 static void write_places(FILE *f, const Results *r)
 {
     for (int dim = 1; dim <= 2; dim++)

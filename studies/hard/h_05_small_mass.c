@@ -201,7 +201,7 @@ static Measure off_root(const Table *t, const char *what, int dim, const char *m
     return worst;
 }
 
-/* Of a method in 1D or 2D, over all places. */
+/* Least value of a column for one method in 1D or 2D, over all placements of the block. */
 static Measure smallest(const Table *t, const char *what, int dim, const char *method)
 {
     Curve curve;

@@ -40,7 +40,7 @@ static const char *part_name(int scene, const char *method, int variant)
     return phrase("%s.%s.%s", scenes[scene].name, method, variants[variant].name);
 }
 
-/* What a variant other than the usual one sets. */
+/* The option that a variant sets; the usual one sets none. */
 static const char *option_of(int variant)
 {
     return variant == STRETCH ? phrase("domain=%s", variants[variant].domain)
@@ -102,8 +102,8 @@ static State state_read(const Results *r, const char *part)
     return s;
 }
 
-/* A line a run: growth is that of J a turn over exp(2 pi w dt); loss that of angular momentum a
- * turn. */
+/* Writes one line per run. growth: that of J per turn over exp(2 pi w dt); loss: that of angular
+ * momentum per turn. */
 static void write_one(FILE *f, const Results *r, int row, int scene, int variant)
 {
     const Table *rows = r->rows;
@@ -122,7 +122,8 @@ static void write_one(FILE *f, const Results *r, int row, int scene, int variant
         fprintf(f, "%.10g,\n", pow(s.J, 1 / turns) / exp(2 * M_PI * PER_STEP));
 }
 
-/* Of one scene. Weak: J off by the rule's own growth, or angular momentum by a hundredth a turn. */
+/* Grade in one scene. Weak: J is off by the growth of the update rule, or angular momentum by a
+ * hundredth per turn. */
 static Mark mark_of(const Table *t, int scene, const char *method, const char *variant)
 {
     static const char *const where = "method=%s scene=%s variant=%s status=ok";
@@ -228,7 +229,7 @@ static Measure lost_stretched(const Table *t)
     return lost;
 }
 
-/* What options do. */
+/* Claims about options that change the result. */
 static void check_remedies(Check *c, const Table *t)
 {
     const char *linear = "ge_mpm ge_gimp apic tpic wls2";

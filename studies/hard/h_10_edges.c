@@ -21,8 +21,8 @@ static void cases(Cases *list, bool quick)
                          (*m)->name, meshes[k], bodies[b]);
 }
 
-/* NAME.edges.csv: body,method,status,finest,order,fallbacks: error on the finest mesh and order in
- * h. */
+/* NAME.edges.csv: body,method,status,error,order,fallbacks,meshes: error on the finest mesh, order
+ * in h over all meshes. */
 static void write_edges(FILE *f, const Table *rows)
 {
     for (int b = 0; b < BODIES; b++)
@@ -62,7 +62,7 @@ static void tables(const Results *r)
     write_marks(grades_write(r), results_part(r, "edges"));
 }
 
-/* Of all rows, as many as cases() asks for. */
+/* Number of lost runs among all rows, of which there must be as many as cases() lists. */
 static Measure lost(const Table *rows)
 {
     int runs = 0;
@@ -71,13 +71,13 @@ static Measure lost(const Table *rows)
     return select_count_lost(rows, runs, "");
 }
 
-/* Of the block, over all meshes. */
+/* Order in h of a method's error in the block, over all meshes. */
 static Measure order(const Table *t, const char *method)
 {
     return select_value(t, "order", "method=%s body=block meshes=%d", method, MESHES);
 }
 
-/* Largest of all four bodies on the finest mesh. */
+/* Largest error of these methods in all four bodies on the finest mesh. */
 static Measure worst_error(const Table *t, const char *methods)
 {
     return curve_worst(t, methods, BODIES, "error", "meshes=4");

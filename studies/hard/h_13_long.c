@@ -1,5 +1,5 @@
 /* h_13_long.c: hard case H-13: long runs. Twenty periods of the ring; the disk to t = 20, which is
- * ten or more impacts. Every method as it comes, and those that take it with return=spline.
+ * ten or more impacts. Every method with its defaults, and those that have it with return=spline.
  *
  * The ledger is kinetic + strain energy less the work of body forces, less what it was at first, as
  * a share of the largest energy (energy_drift of the row). A method is graded good if
@@ -30,14 +30,14 @@ static const char *part_name(int scene, const char *method, int variant)
     return phrase("%s.%s.%s", scenes[scene].problem, method, variants[variant]);
 }
 
-/* Does it return through splines, as it comes or by this variant? */
+/* Does it return through splines, by default or by this variant? */
 static bool is_spline(const Info *method, int variant)
 {
     const Param *p = info_param_find(method->params, "return");
     return p && (variant > 0 || p->value > 0);
 }
 
-/* Not a second time what the method does as it comes. */
+/* False where return=spline is the default of the method, which is run already. */
 static bool has_variant(const Info *method, int variant)
 {
     return variant == 0 || is_spline(method, variant) != is_spline(method, 0);
@@ -64,8 +64,8 @@ static void cases(Cases *list, bool quick)
                     if (has_variant(*m, v)) add(list, s, *m, k, v, quick);
 }
 
-/* Rows of a method on all meshes of a scene: most that the ledger gained and lost; how many runs
- * were lost, of n. */
+/* A method on all meshes of a scene: the largest gain and loss of the ledger, and how many of n
+ * runs were lost. */
 typedef struct Long {
     double gain, loss;
     int lost, n;

@@ -25,7 +25,7 @@ static void cases(Cases *list, bool quick)
                     quick ? 20 : 100);
 }
 
-/* Largest error of these integrators, of a method or (NULL) of all and FEM. */
+/* Largest error with integrators from .. to - 1 of one method, or (NULL) of all methods and FEM. */
 static Measure worst(const Table *rows, const char *method, int from, int to)
 {
     Measure most = measure_max_of(0);

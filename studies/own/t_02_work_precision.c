@@ -4,8 +4,9 @@
  * Cost is the CPU time of the step loop alone (cpu_s of a row), best of two runs that lie apart:
  * all cases once, then all again, so that a slow spell of the machine hits none of them twice.
  * Beside it stand counts that no machine changes: particle-steps (FEM: element-steps), and
- * instructions where `make bench` has counted those of one particle-step. Claims are ratios of
- * costs within one run. What is made of the rows: effort.h. */
+ * instructions where `make bench` has counted those of one particle-step. Schemes that studies run
+ * on request have their defaults only, in both layouts. Claims are ratios of costs within one run.
+ * What is made of the rows: effort.h. */
 #include <math.h>
 #include <string.h>
 #include "studies/tables/effort.h"
@@ -69,7 +70,7 @@ typedef struct Ask {
     const Ladder *ladder;
     const char *method;
     int repeat;
-    bool quick;
+    bool quick, brief; /* brief: the usual particles and integrator, all meshes but the finest */
 } Ask;
 
 /* The run's own command with everything spelled out; false if it is refused. */
@@ -117,17 +118,19 @@ static void method_add(const Ask *a)
     }
     for (int p = 0; p < PPCS; p++) {
         snprintf(options, sizeof options, " --ppc %s", a->ladder->ppc[p]);
-        ladder_add(a, a->ladder->meshes[p], options);
+        if (!a->brief || p == USUAL) ladder_add(a, a->ladder->meshes[p] - a->brief, options);
     }
-    const int meshes = a->ladder->meshes[USUAL];
+    const int meshes = a->ladder->meshes[USUAL] - a->brief;
     if (a->ladder->layouts) others_add(a, meshes, " --set layout=", layouts, 2);
-    if (a->ladder->moves) others_add(a, meshes - 1, " --integrator ", integrators, INTEGRATORS);
+    if (a->ladder->moves && !a->brief)
+        others_add(a, meshes - 1, " --integrator ", integrators, INTEGRATORS);
 }
 
 static void ladder_add_methods(Cases *list, const Ladder *ladder, int repeat, bool quick)
 {
     for (const Info *const *m = ladder->engine->methods; *m; m++)
-        method_add(&(Ask){list, ladder, (*m)->name, repeat, quick});
+        if (!ladder->tried || !(*m)->on_request)
+            method_add(&(Ask){list, ladder, (*m)->name, repeat, quick, (*m)->on_request});
 }
 
 static void cases(Cases *list, bool quick)
@@ -167,6 +170,14 @@ static Measure ratio(const Reach *r, const char *method, const char *beside, con
     return measure_ratio(reach(r, method, column), reach(r, beside, column));
 }
 
+/* A number of the ring's run on 32 cells with the usual particles, on a lattice. */
+static Measure at_ring(const Results *r, const char *method, const char *column)
+{
+    return select_value(results_part(r, "points"), column,
+                        "problem=ring method=%s cells=32 ppc=4 layout=cartesian integrator=cd",
+                        method);
+}
+
 static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "reach");
@@ -179,6 +190,10 @@ static void check(Check *c, const Results *r)
           ratio(&bar, "gimp", "ge_gimp", "seconds"), 1, 4);
     claim(c, "T-2.ring-fem", "Ring to 1e-3: CPU time of GIMP at its best over FEM's",
           ratio(&ring, "gimp", "fem", "seconds"), 3, 100);
+    claim(c, "T-2.cpdi-time", "Ring, 32 cells, same particles: CPU time of CPDI over GIMP's",
+          measure_ratio(at_ring(r, "cpdi", "cpu_s"), at_ring(r, "gimp", "cpu_s")), 0.5, 3);
+    claim(c, "T-2.mls-error", "Ring, 32 cells, same particles: error of MLS-MPM over APIC's",
+          measure_ratio(at_ring(r, "mls_mpm", "error"), at_ring(r, "apic", "error")), 0.5, 1);
 }
 
 const Study study_t_02_work_precision = {
@@ -188,6 +203,7 @@ const Study study_t_02_work_precision = {
     .cases = cases,
     .tables = tables,
     .check = check,
-    .claims = 3,
+    .claims = 5,
+    .also = "mls_mpm,bspline3,tlmpm,cpdi,cpdi2",
     .timed = true,
 };

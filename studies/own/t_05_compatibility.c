@@ -18,7 +18,7 @@
 
 static const double period = 0.02; /* [s] 2 L/c, of both scenes */
 
-/* By dimension. */
+/* The scenes, by dimension. */
 static const struct {
     const Engine *engine;
     const char *problem, *settings;
@@ -124,33 +124,42 @@ static Measure drift(const Table *rows, const char *method, const char *integrat
                         integrator);
 }
 
-static void check(Check *c, const Results *r)
+/* Places of a pair in `pairs`. */
+enum { CD, USL, MUSL, UVF, USF, MUSL_FRESH, UVF_FRESH };
+
+static void check_bar(Check *c, const Results *r)
 {
-    enum { CD, USL, MUSL, UVF, USF, MUSL_FRESH, UVF_FRESH };
     claim(c, "T-5.gimp",
-          "GIMP keeps the energy with all five integrators: largest relative change in ten periods",
+          "Sine bar: GIMP keeps the energy with all five integrators: largest relative change in "
+          "ten periods",
           largest_drift(r->rows, 1, "gimp", CD, USF), 0, 0.0008);
     claim(c, "T-5.stale",
-          "GE-MPM and GE-GIMP with a stale gradient (musl, uvf, usf): runs lost, of six",
+          "Sine bar: GE-MPM and GE-GIMP with a stale gradient (musl, uvf, usf): runs lost, of six",
           measure_sum(losses(r->rows, 1, "ge_gimp", MUSL, USF, INFINITY),
                       losses(r->rows, 1, "ge_mpm", MUSL, USF, INFINITY)),
           6, 6);
-    claim(c, "T-5.ge-gimp", "GE-GIMP is stable with cd and usl: largest relative change of energy",
+    claim(c, "T-5.ge-gimp",
+          "Sine bar: GE-GIMP is stable with cd and usl: largest relative change of energy",
           largest_drift(r->rows, 1, "ge_gimp", CD, USL), 0, 0.05);
     claim(c, "T-5.refresh",
-          "GE-GIMP is stable with musl and uvf if the gradient is fresh: largest relative change "
-          "of energy",
+          "Sine bar: GE-GIMP is stable with musl and uvf if the gradient is fresh: largest "
+          "relative change of energy",
           largest_drift(r->rows, 1, "ge_gimp", MUSL_FRESH, UVF_FRESH), 0, 0.05);
-    claim(c, "T-5.tent-cd", "MPM loses a fifth of the energy with cd: relative change",
+    claim(c, "T-5.tent-cd", "Sine bar: MPM loses a fifth of the energy with cd: relative change",
           drift(r->rows, "mpm", "cd"), -0.25, -0.15);
-    claim(c, "T-5.tent-usl", "MPM loses a fifth of the energy with usl: relative change",
+    claim(c, "T-5.tent-usl", "Sine bar: MPM loses a fifth of the energy with usl: relative change",
           drift(r->rows, "mpm", "usl"), -0.25, -0.15);
-    claim_differs(c, "T-5.tent-uvf", "MPM keeps the energy with uvf: relative change",
+    claim_differs(c, "T-5.tent-uvf", "Sine bar: MPM keeps the energy with uvf: relative change",
                   drift(r->rows, "mpm", "uvf"), -0.005, 0.005, -0.03, 0.03,
                   "-1.6 % here; how much is luck of round-off: tents cross cells");
-    claim(c, "T-5.tent-usf",
-          "MPM gains some energy with usf (how much depends on round-off): relative change",
-          drift(r->rows, "mpm", "usf"), 0.01, 1);
+    claim(
+        c, "T-5.tent-usf",
+        "Sine bar: MPM gains some energy with usf (how much depends on round-off): relative change",
+        drift(r->rows, "mpm", "usf"), 0.01, 1);
+}
+
+static void check_plane(Check *c, const Results *r)
+{
     claim(c, "T-5.plane-gimp", "GIMP in 2D is stable with all five integrators: runs lost",
           losses(r->rows, 2, "gimp", CD, USF, INFINITY), 0, 0);
     claim(c, "T-5.plane-stale",
@@ -164,6 +173,12 @@ static void check(Check *c, const Results *r)
     claim(c, "T-5.plane-refresh",
           "GE-GIMP in 2D with musl and uvf and a fresh gradient: largest relative change of energy",
           largest_drift(r->rows, 2, "ge_gimp", MUSL_FRESH, UVF_FRESH), 0, 0.05);
+}
+
+static void check(Check *c, const Results *r)
+{
+    check_bar(c, r);
+    check_plane(c, r);
 }
 
 const Study study_t_05_compatibility = {

@@ -76,7 +76,7 @@ static int six_norms(const Results *r, const Ladder *l, const char *method, int 
     return 0;
 }
 
-/* One line a norm: its error on the usual mesh, its order over all. */
+/* One line per norm: its error on the usual mesh, its order over all. */
 static void write_norms(FILE *f, const Results *r, const Ladder *l, const char *method)
 {
     double error[NORMS][MESHES], h[MESHES], one[NORMS], usual[NORMS] = {NAN};
@@ -243,14 +243,15 @@ static void check_tables(Check *c, const Table *t, const Table *same)
     claim(c, "T-6.ratio",
           "Ring, N = 32: GIMP's error over FEM's: the largest ratio of six over the least",
           ratio_spread(t), 3, 6);
-    claim(c, "T-6.same-32", "GIMP's largest error over FEM's, N = 32, all points of each",
+    claim(c, "T-6.same-32", "Ring: GIMP's largest error over FEM's, N = 32, all points of each",
           same_ratio(same, 32, "all", "fem_all"), 15, 30);
     claim(c, "T-6.same-32-inside",
-          "GIMP's largest error over FEM's, N = 32, same points inside the body",
+          "Ring: GIMP's largest error over FEM's, N = 32, same points inside the body",
           same_ratio(same, 32, "linf", "fem_linf"), 9, 16);
-    claim(c, "T-6.same-8", "N = 8, all points: by the largest error FEM wins: GIMP's over FEM's",
+    claim(c, "T-6.same-8",
+          "Ring, N = 8, all points: by the largest error FEM wins: GIMP's over FEM's",
           same_ratio(same, 8, "all", "fem_all"), 2, 3);
-    claim(c, "T-6.same-8-inside", "N = 8, same points inside: by the mean error GIMP wins",
+    claim(c, "T-6.same-8-inside", "Ring, N = 8, same points inside: by the mean error GIMP wins",
           same_ratio(same, 8, "l1", "fem_l1"), 0.7, 0.95);
 }
 

@@ -1,4 +1,4 @@
-/* engines.h: what the dimensions of this program know, by name. */
+/* engines.h: problems, methods and parameters that the dimensions of this program know, by name. */
 #ifndef MPMLAB_ENGINES_H
 #define MPMLAB_ENGINES_H
 
@@ -9,11 +9,11 @@
 int engine_problem_names(const char *names[], int max);
 int engine_method_names(const char *names[], int max);
 
-/* Takes the name of a problem, or of a method, or refuses it with the nearest one. */
+/* Checks the name of a problem or of a method: 0, or a fault that names the nearest one. */
 int engine_check_problem(const char *name, Fault *fault);
 int engine_check_method(const char *option, const char *name, Fault *fault);
 
-/* What the first engine that has it says of a problem or a method; NULL: none has it. */
+/* The description of a problem or a method by the first engine that has it; NULL: none has it. */
 const Info *engine_problem(const char *name);
 const Info *engine_method(const char *name);
 

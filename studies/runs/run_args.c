@@ -88,7 +88,14 @@ static int take_integrator(RunArgs *args, const char *got, Fault *fault)
 
 static int take_method(RunArgs *args, const char *got, Fault *fault)
 {
-    if (engine_check_method("--method", got, fault)) return FAULT_USAGE;
+    const char *plus = strchr(got, '+');
+    char first[sizeof args->spec.method];
+    snprintf(first, sizeof first, "%.*s", plus ? (int)(plus - got) : (int)strlen(got), got);
+    if (engine_check_method("--method", plus ? first : got, fault) ||
+        (plus && engine_check_method("--method", plus + 1, fault)))
+        return FAULT_USAGE;
+    if (strlen(got) >= sizeof args->spec.method)
+        return option_refuse(fault, "--method", got, "at most 31 characters", NULL, 0);
     snprintf(args->spec.method, sizeof args->spec.method, "%s", got);
     return 0;
 }

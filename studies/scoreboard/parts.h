@@ -13,15 +13,15 @@ typedef struct Page {
 
 void page_counts(const Page *page);       /* how many of each verdict */
 void page_papers(const Page *page);       /* what holds of each paper, and what differs */
-void page_verdicts(const Page *page);     /* a button a verdict */
-void page_figure_names(const Page *page); /* an option a figure that has claims */
-void page_claims(const Page *page);       /* a row a claim */
+void page_verdicts(const Page *page);     /* one button per verdict */
+void page_figure_names(const Page *page); /* one option per figure that has claims */
+void page_claims(const Page *page);       /* one row per claim */
 void page_which(const Page *page);        /* the best method for each error, from study T-2 */
-void page_stability(const Page *page);    /* a row a method: limits, what breaks it, what helps */
-void page_figures(const Page *page);      /* one card per figure */
-void page_needs(const Page *page);        /* which method by need, with its evidence */
-void page_statements(const Page *page);   /* what the papers say, sentence by sentence */
-void page_problems(const Page *page);     /* one card per problem */
+void page_stability(const Page *page);  /* one row per method: limits, what breaks it, what helps */
+void page_figures(const Page *page);    /* one card per figure */
+void page_needs(const Page *page);      /* which method by need, with its evidence */
+void page_statements(const Page *page); /* what the papers say, sentence by sentence */
+void page_problems(const Page *page);   /* one card per problem */
 
 /* Every method's price of each error, if dir/NAME.reach.csv is there. */
 void page_prices(const Page *page, const char *name);

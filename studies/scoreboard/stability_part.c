@@ -1,6 +1,6 @@
-/* stability_part.c: what a method's user must know: the largest safe time step, how it stands up to
- * each hard case, what breaks it first and which option helps. All from tables that studies leave:
- * NAME.grades.csv and NAME.remedies.csv (grades.h), T-4's limits and T-5's grid. */
+/* stability_part.c: per method: the largest safe time step, its grade in each hard case, what
+ * breaks it first and which option helps. All from tables that studies leave: NAME.grades.csv and
+ * NAME.remedies.csv (grades.h), T-4's limits and T-5's grid. */
 #include <math.h>
 #include <string.h>
 #include "studies/tables/grades.h"

@@ -1,9 +1,10 @@
 /* effort.h: what accuracy costs, from the rows of a study whose cases were run several times.
  *
- * NAME.points.csv: a point a case: its largest error, CPU time (best and median of its repeats),
- * work (particle-steps; FEM: element-steps; particles where nothing moves), instructions (that many
- * times those of one particle-step, from t_03_speed.csv if it is there and has the method with this
- * integrator), and on which Pareto fronts it is: of all (by CPU time, by work), of its method.
+ * NAME.points.csv: one point per case: its largest error, CPU time (best and median of its
+ * repeats), work (particle-steps; FEM: element-steps; particles where nothing moves), instructions
+ * (that many times those of one particle-step, from t_03_speed.csv if it is there and has the
+ * method with this integrator), and on which Pareto fronts it is: of all (by CPU time, by work), of
+ * its method.
  *
  * NAME.reach.csv: the CPU time and work with which a method at its best reaches a target, by
  * straight lines between meshes in log-log. `how`: reached; below (its coarsest mesh is better:

@@ -2,8 +2,8 @@
  * section on stability collects.
  *
  * NAME.grades.csv: case,method,grade,note. A grade tells how well a method does in a case; the page
- * states its limits. NAME.remedies.csv: case,method,remedy,before,after: grades of the same case
- * without and with an option. */
+ * states its limits. NAME.remedies.csv: case,method,remedy,before,after,note: grades of the same
+ * case without and with an option. */
 #ifndef MPMLAB_GRADES_H
 #define MPMLAB_GRADES_H
 

@@ -27,7 +27,8 @@ static bool is_same(const Table *rows, const int column[INPUTS], int a, int b)
     return true;
 }
 
-/* The ladder of a row: the one of the row before it, mostly; or n. */
+/* Index of the ladder that this row belongs to, or n if it begins a new one. The previous row's
+ * ladder is tried first. */
 static int find(const Ladder *list, int n, int last, const Table *rows, const int column[INPUTS],
                 int row)
 {

@@ -31,7 +31,7 @@ bool stability_has_pair(const Map *map, const char *method, int k)
     return pair_is_run(map->engine, map->problem, method, pairs[k]);
 }
 
-/* Columns that say which method, with what, a ladder is of. */
+/* Leading columns of all tables here: the method and integrator that a ladder belongs to. */
 static const char place_header[] = "dim,method,integrator,refresh,default,pair,line";
 
 const Map *stability_of_row(const Table *rows, int row)
@@ -58,7 +58,7 @@ static int index_of(const double *list, double x)
     return -1;
 }
 
-/* Which rung of the map this is, or -1: of a bisection. */
+/* Index of the rung of the map; -1: a CFL number that a bisection added. */
 static int column_of(double cfl)
 {
     for (int k = 0; k < MAP_RUNGS; k++)
@@ -66,8 +66,8 @@ static int column_of(double cfl)
     return -1;
 }
 
-/* One line per run. Groups of PPC, an amplitude each, are one apart; a mesh has no PPC and stands
- * in the places of all. */
+/* Writes one line per run. In the figure, rows are grouped by amplitude, one row per PPC, with a
+ * gap of one row between groups; FEM has no PPC and fills all rows of a group. */
 static void write_map(FILE *f, const Table *rows, const Ladder *l)
 {
     const Map *map = stability_of_row(rows, l->row[0]);
@@ -85,7 +85,7 @@ static void write_map(FILE *f, const Table *rows, const Ladder *l)
         }
 }
 
-/* A line a ladder: both limits, and what ends them. */
+/* Writes one line per ladder: both limits, and what ends them. */
 static void write_limits(FILE *f, const Table *rows, const Ladder *l)
 {
     write_place(f, rows, l->row[0]);
@@ -103,8 +103,8 @@ static void write_limits(FILE *f, const Table *rows, const Ladder *l)
     putc('\n', f);
 }
 
-/* The row of least `what` among those that agree with row `first` in the columns; -1 if an earlier
- * row does, so that each group has one turn. */
+/* The row of least `what` in the group of rows that agree with row `first` in the columns; -1
+ * unless `first` is the first row of its group, so that each group is written once. */
 static int least_of_group(const Table *t, int first, const char *what, int n,
                           const char *const columns[])
 {
@@ -120,7 +120,7 @@ static int least_of_group(const Table *t, int first, const char *what, int n,
     return best;
 }
 
-/* Over PPC, one line per amplitude. */
+/* The least limits over PPC, one line per amplitude. */
 static void write_worst(FILE *f, const Table *limits)
 {
     static const char *const group[] = {"method", "pair", "amplitude", "dim"};
@@ -136,7 +136,7 @@ static void write_worst(FILE *f, const Table *limits)
     }
 }
 
-/* Over PPC and amplitude, with the method's default integrator. */
+/* The least limits over PPC and amplitude, with the method's default integrator. */
 static void write_safe(FILE *f, const Table *limits)
 {
     static const char *const group[] = {"method", "pair", "dim"};

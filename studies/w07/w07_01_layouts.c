@@ -1,8 +1,8 @@
 /* w07_01_layouts.c: ideal and general particle positions. Wallstedt and Guilkey (2007), fig. 1.
  *
- * A block of 5 x 5 cells inside the ring of W11, four particles a cell: on a lattice, where
- * symmetry hides the errors of the projection, and on rings about the origin, as regular but for
- * the grid. */
+ * A block of 5 x 5 cells inside the ring of W11, four particles per cell: on a lattice, where
+ * symmetry hides the errors of the projection, and on rings about the origin, which are as regular
+ * but not aligned with the grid. */
 #include "studies/tables/curves.h"
 
 enum { CELLS = 16, FIRST = 6, LAST = 11 }; /* the block lies wholly inside the ring */

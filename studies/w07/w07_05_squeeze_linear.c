@@ -55,19 +55,23 @@ static void check(Check *c, const Results *r)
     Curve curve, mpm;
     curve_pick(&mpm, r->rows, "ppc", "error_linf", "method=mpm");
     curve = mpm;
-    claim(c, "W07-5.significant", "A linear field is projected with an error: MPM's largest",
+    claim(c, "W07-5.significant",
+          "Squeeze, linear field: the projection has an error: MPM's largest",
           curve_max(&mpm, POINTS), 0.005, 0.02);
-    claim(c, "W07-5.mpm-exponent", "MPM's worst errors fall as PPC^-2", exponent(&curve, .5), -2.1,
-          -1.9);
-    claim(c, "W07-5.mpm-zeros", "MPM is exact at whole and half particles per cell",
+    claim(c, "W07-5.mpm-exponent", "Squeeze, linear field: MPM's worst errors fall as PPC^-2",
+          exponent(&curve, .5), -2.1, -1.9);
+    claim(c, "W07-5.mpm-zeros",
+          "Squeeze, linear field: MPM is exact at whole and half particles per cell",
           worst_zero(&curve), 0, 1e-13);
     curve_pick(&curve, r->rows, "ppc", "error_linf", "method=gimp");
     claim(c, "W07-5.gimp-better",
-          "GIMP projects better than MPM: at which part of all numbers of particles",
+          "Squeeze, linear field: GIMP projects better than MPM: at what share of all numbers of "
+          "particles",
           share_better(&curve, &mpm), 0.95, 1);
-    claim(c, "W07-5.gimp-exponent", "GIMP's worst errors fall as PPC^-3", exponent(&curve, 1), -3.1,
-          -2.9);
-    claim(c, "W07-5.gimp-zeros", "GIMP is exact at whole and half particles per cell",
+    claim(c, "W07-5.gimp-exponent", "Squeeze, linear field: GIMP's worst errors fall as PPC^-3",
+          exponent(&curve, 1), -3.1, -2.9);
+    claim(c, "W07-5.gimp-zeros",
+          "Squeeze, linear field: GIMP is exact at whole and half particles per cell",
           worst_zero(&curve), 0, 1e-13);
 }
 

@@ -65,24 +65,27 @@ static Measure rises(const Curve *c)
 static void check_terms(Check *c, const Table *rows, const Curve *mpm, const Curve *gimp)
 {
     claim(c, "W07-6.term-ppc",
-          "MPM, term of PPC in eq. 2.2: worst errors less the plateau fall as PPC^-2: exponent",
+          "Squeeze, quadratic field: MPM, term of PPC in eq. 2.2: worst errors less the plateau "
+          "fall as PPC^-2: exponent",
           term_of_ppc(mpm, squeeze_plateau()), -2.1, -1.9);
     claim(c, "W07-6.term-h",
-          "MPM, term of h in eq. 2.2: error at 10 particles per cell falls with h^2: order, 1/50 "
-          "to 1/200",
+          "Squeeze, quadratic field: MPM, term of h in eq. 2.2: error at 10 particles per cell "
+          "falls with h^2: order, 1/50 to 1/200",
           term_of_h(rows), 1.95, 2.02);
     claim_differs(c, "W07-6.no-zero-mpm",
-                  "No arrangement has zero error: MPM's least over all numbers of particles",
+                  "Squeeze, quadratic field: no arrangement has zero error: MPM's least over all "
+                  "numbers of particles",
                   least_error(mpm), 1e-6, 1, 0, 1e-14,
                   "1.9e-16 at half a particle per cell, where a particle sits on every second node "
                   "and the others are empty; 1.6e-5 or more elsewhere");
     claim(c, "W07-6.no-zero-gimp",
-          "No arrangement has zero error: GIMP's least over all numbers of particles",
+          "Squeeze, quadratic field: no arrangement has zero error: GIMP's least over all numbers "
+          "of particles",
           least_error(gimp), 1e-6, 1);
     const Measure more = rises(mpm), less = rises(gimp);
     claim(c, "W07-6.monotone",
-          "GIMP falls more nearly monotonically: sum of all rises of the error from 1 particle per "
-          "cell on, MPM's less GIMP's",
+          "Squeeze, quadratic field: GIMP falls more nearly monotonically: sum of all rises of the "
+          "error from 1 particle per cell on, MPM's less GIMP's",
           measure(more.value - less.value, more.rows + less.rows, more.needs + less.needs), 0.005,
           0.01);
 }
@@ -95,20 +98,25 @@ static void check(Check *c, const Results *r)
     curve_pick(&mpm, r->rows, "ppc", "error_linf", "method=mpm cells=100");
     curve_pick(&gimp, r->rows, "ppc", "error_linf", "method=gimp");
     check_terms(c, r->rows, &mpm, &gimp);
-    claim(c, "W07-6.mpm-plateau", "MPM at 10 particles per cell, over h^2/6/(1+h)^2 (1 + 1/200)",
+    claim(c, "W07-6.mpm-plateau",
+          "Squeeze, quadratic field: MPM at 10 particles per cell, over h^2/6/(1+h)^2 (1 + 1/200)",
           measure_times(curve_at(&mpm, 10), 1 / (plateau * at_10)), 0.999, 1.001);
-    claim(
-        c, "W07-6.gimp-plateau",
-        "GIMP does not lower the plateau: its error at 10 per cell over h^2/6/(1+h)^2 (1 + 1/200)",
-        measure_times(curve_at(&gimp, 10), 1 / (plateau * at_10)), 0.999, 1.001);
+    claim(c, "W07-6.gimp-plateau",
+          "Squeeze, quadratic field: GIMP does not lower the plateau: its error at 10 per cell "
+          "over h^2/6/(1+h)^2 (1 + 1/200)",
+          measure_times(curve_at(&gimp, 10), 1 / (plateau * at_10)), 0.999, 1.001);
     claim(c, "W07-6.gimp-settles",
-          "GIMP stays within twice the plateau from this many particles per cell on",
+          "Squeeze, quadratic field: GIMP stays within twice the plateau from this many particles "
+          "per cell on",
           curve_settles(&gimp, 2 * plateau, SQUEEZE_POINTS), 2.55, 2.95);
     claim(c, "W07-6.mpm-settles",
-          "MPM stays within twice the plateau from this many particles per cell on",
+          "Squeeze, quadratic field: MPM stays within twice the plateau from this many particles "
+          "per cell on",
           curve_settles(&mpm, 2 * plateau, SQUEEZE_POINTS), 9.7, 10);
-    claim(c, "W07-6.gimp-spot", "GIMP's error with 137 particles, an agreed value to six digits",
-          curve_at(&gimp, 1.37), 2.173422e-4 - 5e-11, 2.173422e-4 + 5e-11);
+    claim(
+        c, "W07-6.gimp-spot",
+        "Squeeze, quadratic field: GIMP's error with 137 particles, an agreed value to six digits",
+        curve_at(&gimp, 1.37), 2.173422e-4 - 5e-11, 2.173422e-4 + 5e-11);
 }
 
 const Study study_w07_06_squeeze_quadratic = {

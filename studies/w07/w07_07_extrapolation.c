@@ -3,7 +3,7 @@
  *
  * v = (1 + x)^2 on five particles in three cells. The plain projection carries each particle's v_p
  * straight to the nodes (eq. 2.1); the enhanced one follows its tangent there, v_p + L_p (x_i -
- * x_p) (eqs 4.1, 4.2). Tents, so that each particle sees two nodes. */
+ * x_p) (eqs 4.1, 4.2). Tents, so that each particle contributes to two nodes. */
 #include <math.h>
 #include "studies/tables/curves.h"
 
@@ -24,7 +24,7 @@ static void cases(Cases *list, bool quick)
     add(list, "nodes", "ge_mpm", "ge_mpm");
 }
 
-/* A line from a particle to both nodes it sees, with the weight it has there. */
+/* A line from a particle to both nodes it contributes to, with the weight it has there. */
 static void write_lines(FILE *f, const Table *particles, int p)
 {
     double x = select_number(particles, p, "x"), v = select_number(particles, p, "vx");

@@ -16,21 +16,24 @@ static void check(Check *c, const Results *r)
     curve_pick(&ge_mpm, r->rows, "ppc", "error_linf", "method=ge_mpm");
     curve_pick(&ge_gimp, r->rows, "ppc", "error_linf", "method=ge_gimp");
     claim(c, "W07-9.ge-gimp-settles",
-          "GE-GIMP stays within twice the plateau from this many particles per cell on",
+          "Squeeze, quadratic field: GE-GIMP stays within twice the plateau from this many "
+          "particles per cell on",
           curve_settles(&ge_gimp, 2 * plateau, SQUEEZE_POINTS), 0.8, 0.9);
     claim(c, "W07-9.ge-mpm-settles",
-          "GE-MPM stays within twice the plateau from this many particles per cell on",
+          "Squeeze, quadratic field: GE-MPM stays within twice the plateau from this many "
+          "particles per cell on",
           curve_settles(&ge_mpm, 2 * plateau, SQUEEZE_POINTS), 0.8, 0.9);
     claim(c, "W07-9.ge-mpm-plateau",
-          "GE-MPM has the plateau of fig. 6: error at 10 particles per cell over h^2/6/(1+h)^2 (1 "
-          "+ 1/200)",
+          "Squeeze, quadratic field: GE-MPM has the plateau of fig. 6: error at 10 particles per "
+          "cell over h^2/6/(1+h)^2 (1 + 1/200)",
           measure_times(curve_at(&ge_mpm, 10), 1 / (plateau * at_10)), 0.999, 1.001);
     claim(c, "W07-9.ge-gimp-plateau",
-          "GE-GIMP has the plateau of fig. 6: error at 10 particles per cell over h^2/6/(1+h)^2 (1 "
-          "+ 1/200)",
+          "Squeeze, quadratic field: GE-GIMP has the plateau of fig. 6: error at 10 particles per "
+          "cell over h^2/6/(1+h)^2 (1 + 1/200)",
           measure_times(curve_at(&ge_gimp, 10), 1 / (plateau * at_10)), 0.999, 1.001);
     claim(c, "W07-9.ge-gimp-spot",
-          "GE-GIMP's error with 137 particles, an agreed value to six digits",
+          "Squeeze, quadratic field: GE-GIMP's error with 137 particles, an agreed value to six "
+          "digits",
           curve_at(&ge_gimp, 1.37), 2.077904e-5 - 5e-12, 2.077904e-5 + 5e-12);
 }
 

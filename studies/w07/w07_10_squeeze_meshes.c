@@ -23,10 +23,12 @@ static void check(Check *c, const Results *r)
         error[k] = select_value(r->rows, "error_linf", "cells=%d ppc=10", cells[k]).value;
         measure_add_max(&off, fabs(error[k] / printed[k] - 1));
     }
-    claim(c, "W07-10.order", "The plateau falls with h^2: order at 10 particles per cell",
+    claim(c, "W07-10.order",
+          "Squeeze, quadratic field: the plateau falls with h^2: order at 10 particles per cell",
           measure_with(off, curve_slope(MESHES, h, error)), 1.97, 1.99);
     claim(c, "W07-10.values",
-          "GE-GIMP's plateaus: largest departure from the recorded 6.440e-5, 1.642e-5, 4.146e-6",
+          "Squeeze, quadratic field: GE-GIMP's plateaus: largest departure from the recorded "
+          "6.440e-5, 1.642e-5, 4.146e-6",
           off, 0, 0.001);
 }
 

@@ -73,13 +73,13 @@ static void check(Check *check, const Results *r)
     const Measure most = curve_max(&tip, INSTANTS);
     claim_differs(
         check, "W07-11.amplitude",
-        "The tip's amplitude is v0 L/c: largest displacement over that, h = 1/40",
+        "Stopped bar: the tip's amplitude is v0 L/c: largest displacement over that, h = 1/40",
         measure_times(most, c), 0.98, 1.02, 0.95, 0.98,
         "GIMP rounds the sharp peak by 3 to 4 percent on 40 cells; finer ones sharpen it");
     claim(check, "W07-11.amplitude-fine",
-          "The tip's amplitude with h = 1/160: largest displacement over v0 L/c",
+          "Stopped bar: the tip's amplitude with h = 1/160: largest displacement over v0 L/c",
           measure_times(fine_tip(r), c), 0.98, 1.02);
-    claim(check, "W07-11.period", "Period of the tip's displacement over 4 L/c",
+    claim(check, "W07-11.period", "Stopped bar: period of the tip's displacement over 4 L/c",
           measure_with(most, last_rise(&tip) / period), 0.98, 1.02);
 }
 

@@ -145,20 +145,23 @@ static Measure unevenness(const Table *rows, int method)
 
 static void check_losses(Check *c, const Table *rows)
 {
-    claim(c, "W07-12.mpm-lost-2", "A few MPM runs crash: lost by two periods, of 45",
+    claim(c, "W07-12.mpm-lost-2", "Stopped bar: a few MPM runs crash: lost by two periods, of 45",
           lost_by(rows, MPM, 5, 2, INFINITY), 1, 6);
-    claim(c, "W07-12.mpm-lost-5", "MPM runs lost by five periods, of 45",
+    claim(c, "W07-12.mpm-lost-5", "Stopped bar: MPM runs lost by five periods, of 45",
           lost_by(rows, MPM, 5, 5, INFINITY), 14, 28);
-    claim(c, "W07-12.mpm-grown-5", "MPM runs whose energy has grown by five periods, of 45",
+    claim(c, "W07-12.mpm-grown-5",
+          "Stopped bar: MPM runs whose energy has grown by five periods, of 45",
           ended_as(rows, MPM, "energy_growth"), 14, 30);
-    claim(c, "W07-12.mpm-ok-5", "MPM runs neither lost nor grown by five periods, of 45",
+    claim(c, "W07-12.mpm-ok-5",
+          "Stopped bar: MPM runs neither lost nor grown by five periods, of 45",
           ended_as(rows, MPM, "ok"), 0, 4);
-    claim(c, "W07-12.gimp-lost", "No GIMP run is lost in five periods",
+    claim(c, "W07-12.gimp-lost", "Stopped bar: no GIMP run is lost in five periods",
           lost_by(rows, GIMP, 5, 5, INFINITY), 0, 0);
-    claim(c, "W07-12.ge-gimp-lost", "No GE-GIMP run is lost in five periods",
+    claim(c, "W07-12.ge-gimp-lost", "Stopped bar: no GE-GIMP run is lost in five periods",
           lost_by(rows, GE_GIMP, 5, 5, INFINITY), 0, 0);
     claim(c, "W07-12.ge-mpm-unstable",
-          "GE-MPM is pathologically unstable: share lost, or wrong by 0.2, by two periods",
+          "Stopped bar: GE-MPM is pathologically unstable: share lost, or wrong by 0.2, by two "
+          "periods",
           measure_times(lost_by(rows, GE_MPM, 2, 2, 0.2), 1 / (double)RUNS), 0.8, 1);
 }
 
@@ -169,9 +172,10 @@ static void check_forty_percent(Check *c, const Table *rows)
         ratios[d] = measure_ratio(typical(rows, GE_GIMP, durations[d], 2, 10),
                                   typical(rows, GIMP, durations[d], 2, 10));
     const Measure at_one = ratios[2];
-    claim(c, "W07-12.ratio", "Median of GE-GIMP over that of GIMP, one period", at_one, 0.69, 0.77);
+    claim(c, "W07-12.ratio", "Stopped bar: GE-GIMP's median error over GIMP's, one period", at_one,
+          0.69, 0.77);
     claim(c, "W07-12.ratio-least",
-          "Median of GE-GIMP over that of GIMP, least of 1/4, 1/2, 1, 2 periods",
+          "Stopped bar: GE-GIMP's median error over GIMP's, least of 1/4, 1/2, 1, 2 periods",
           measure_min(measure_min(ratios[0], ratios[1]), measure_min(at_one, ratios[3])), 0.66,
           0.74);
     claim_differs(c, "W07-12.forty-percent",
@@ -184,32 +188,33 @@ static void check_forty_percent(Check *c, const Table *rows)
 
 static void check_orders(Check *c, const Table *rows)
 {
-    claim(
-        c, "W07-12.order-rms",
-        "First order in h: GIMP's rms error after one period, h = 1/20 to 1/80, mean of three PPC",
-        order(rows, GIMP, "error_l2"), 0.9, 1.1);
-    claim_differs(
-        c, "W07-12.order-max",
-        "First order in h: GIMP's largest error (eq. 5.2) after one period, h = 1/20 to 1/80",
-        order(rows, GIMP, "error_linf"), 0.9, 1.1, 0.55, 0.75,
-        "order .62: dispersion of a second-order scheme rounds a kink over a width that goes as "
-        "h^(2/3) t^(1/3), and the largest error with it");
+    claim(c, "W07-12.order-rms",
+          "Stopped bar: first order in h: GIMP's rms error after one period, h = 1/20 to 1/80, "
+          "mean of three PPC",
+          order(rows, GIMP, "error_l2"), 0.9, 1.1);
+    claim_differs(c, "W07-12.order-max",
+                  "Stopped bar: first order in h: GIMP's largest error (eq. 5.2) after one period, "
+                  "h = 1/20 to 1/80",
+                  order(rows, GIMP, "error_linf"), 0.9, 1.1, 0.55, 0.75,
+                  "order .62: dispersion of a second-order scheme rounds a kink over a width that "
+                  "goes as h^(2/3) t^(1/3), and the largest error with it");
 }
 
 static void check(Check *c, const Results *r)
 {
     claim_note(c, "mpm_median", typical(r->rows, MPM, 1, 2, 10).value);
-    claim(c, "W07-12.gimp-median", "GIMP's median error after one period, PPC 2 to 10",
+    claim(c, "W07-12.gimp-median", "Stopped bar: GIMP's median error after one period, PPC 2 to 10",
           typical(r->rows, GIMP, 1, 2, 10), 0.0453, 0.0513);
-    claim(c, "W07-12.ge-gimp-median", "GE-GIMP's median error after one period, PPC 2 to 10",
+    claim(c, "W07-12.ge-gimp-median",
+          "Stopped bar: GE-GIMP's median error after one period, PPC 2 to 10",
           typical(r->rows, GE_GIMP, 1, 2, 10), 0.0325, 0.0385);
-    claim(
-        c, "W07-12.low-ppc",
-        "GIMP is far better at few particles per cell: MPM's median error over GIMP's, PPC 1 to 3",
-        measure_ratio(typical(r->rows, MPM, 1, 1, 3), typical(r->rows, GIMP, 1, 1, 3)), 2, 100);
+    claim(c, "W07-12.low-ppc",
+          "Stopped bar: GIMP is far better at few particles per cell: MPM's median error over "
+          "GIMP's, PPC 1 to 3",
+          measure_ratio(typical(r->rows, MPM, 1, 1, 3), typical(r->rows, GIMP, 1, 1, 3)), 2, 100);
     claim(c, "W07-12.consistent",
-          "GIMP's error depends little on the number of particles: its largest over its median, "
-          "over the same of MPM",
+          "Stopped bar: GIMP's error depends little on the number of particles: its largest over "
+          "its median, over the same of MPM",
           measure_ratio(unevenness(r->rows, GIMP), unevenness(r->rows, MPM)), 0, 0.7);
     check_forty_percent(c, r->rows);
     check_losses(c, r->rows);

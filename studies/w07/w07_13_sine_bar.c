@@ -67,8 +67,8 @@ static void check_values(Check *c, const Table *rows)
         for (int m = 0; m < 2; m++) {
             pick(&curve, rows, "cells", l, 1 + m);
             claim(c, ids[l][m],
-                  phrase("%s, %s law: largest departure from the recorded errors at 1/10 ... 1/160 "
-                         "(the last counts half)",
+                  phrase("Sine bar, %s, %s law: largest departure from the recorded errors at 1/10 "
+                         "... 1/160 (the last counts half)",
                          m ? "GE-GIMP" : "GIMP", l ? "neo-Hookean" : "exact"),
                   curve_deviation(&curve, PRINTED, printed[l][m]), 0, 0.01);
         }
@@ -79,13 +79,14 @@ static void check(Check *c, const Results *r)
     Curve curve;
     check_values(c, r->rows);
     pick(&curve, r->rows, "h", 0, 1);
-    claim(c, "W07-13.gimp-order", "Second order for a smooth solution: GIMP, exact law",
+    claim(c, "W07-13.gimp-order", "Sine bar: second order for a smooth solution: GIMP, exact law",
           curve_order(&curve, 0, 1, MESHES), 1.85, 2.05);
     pick(&curve, r->rows, "h", 0, 2);
-    claim(c, "W07-13.ge-gimp-order", "Second order for a smooth solution: GE-GIMP, exact law",
+    claim(c, "W07-13.ge-gimp-order",
+          "Sine bar: second order for a smooth solution: GE-GIMP, exact law",
           curve_order(&curve, 0, 1, MESHES), 1.85, 2.05);
     pick(&curve, r->rows, "h", 0, 0);
-    claim(c, "W07-13.mpm-order", "MPM does not converge, exact law: order",
+    claim(c, "W07-13.mpm-order", "Sine bar: MPM does not converge, exact law: order",
           curve_order(&curve, 0, 1, MESHES), -1, 0.1);
     claim(c, "W07-13.forty-percent",
           "Gradient enhancement lowers GIMP's error by about forty percent, sine bar, exact law: "
@@ -93,7 +94,8 @@ static void check(Check *c, const Results *r)
           mean_ratio(r->rows), FORTY_PERCENT_LOW, FORTY_PERCENT_HIGH);
     pick(&curve, r->rows, "cells", 1, 1);
     claim(c, "W07-13.tail-off",
-          "The neo-Hookean curve tails off at finite strain: GIMP's error at 1/160, over A^2",
+          "Sine bar: the neo-Hookean curve tails off at finite strain: GIMP's error at 1/160, over "
+          "A^2",
           measure_times(curve_at(&curve, 160), 1 / 0.01), 0.49, 0.53);
 }
 

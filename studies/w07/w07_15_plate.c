@@ -1,10 +1,10 @@
 /* w07_15_plate.c: convergence of the vibrating plate in two dimensions. Wallstedt and Guilkey
  * (2007), fig. 15.
  *
- * A quarter period of the shear mode, four particles a cell on a lattice. At the paper's amplitude
- * A = .004 all curves tail off; at A/10 they do so ten times lower. The cause is not finite strain
- * alone: zero tangential velocity is imposed at fixed nodes on edges that move, which leaves an
- * error of pi A/4 relative to A even with a law that is exactly linear. */
+ * A quarter period of the shear mode, four particles per cell on a lattice. At the paper's
+ * amplitude A = .004 all curves tail off; at A/10 they do so ten times lower. The cause is not
+ * finite strain alone: zero tangential velocity is imposed at fixed nodes on edges that move, which
+ * leaves an error of pi A/4 relative to A even with a law that is exactly linear. */
 #include <math.h>
 #include <stdio.h>
 #include "forty_percent.h"
@@ -50,12 +50,14 @@ static void check_values(Check *c, const Table *rows)
     for (int m = 0; m < METHODS; m++) {
         pick(&curve, rows, "cells", m, "0.004", "neo_hookean");
         claim(c, phrase("W07-15.%s-values", ids[m]),
-              phrase("%s: largest departure from the recorded errors at 1/8 ... 1/128", labels[m]),
+              phrase("Plate, %s: largest departure from the recorded errors at 1/8 ... 1/128",
+                     labels[m]),
               curve_deviation(&curve, PRINTED, printed[m]), 0, m ? 0.01 : 0.05);
     }
-    claim(c, "W07-15.mpm-unreliable",
-          "MPM is unreliable once particles cross cells: its error at 1/128 over that at 1/32",
-          measure_ratio(curve_at(&mpm, 128), curve_at(&mpm, 32)), 2, 10);
+    claim(
+        c, "W07-15.mpm-unreliable",
+        "Plate: MPM is unreliable once particles cross cells: its error at 1/128 over that at 1/32",
+        measure_ratio(curve_at(&mpm, 128), curve_at(&mpm, 32)), 2, 10);
 }
 
 static void check_ratios(Check *c, const Table *rows)
@@ -67,7 +69,7 @@ static void check_ratios(Check *c, const Table *rows)
     pick(&ge, rows, "cells", 2, "0.004", "neo_hookean");
     for (int k = 0; k < RATIOS; k++)
         claim(c, phrase("W07-15.ratio-%d", 8 << k),
-              phrase("GE-GIMP's error over GIMP's at h = 1/%d", 8 << k),
+              phrase("Plate: GE-GIMP's error over GIMP's at h = 1/%d", 8 << k),
               measure_ratio(curve_at(&ge, 8 << k), curve_at(&gimp, 8 << k)), expected[k] - 0.02,
               expected[k] + 0.02);
     claim_differs(c, "W07-15.forty-percent",
@@ -101,17 +103,19 @@ static void check_orders(Check *c, const Table *rows)
     pick(&gimp, rows, "cells", 1, "0.0004", "neo_hookean");
     pick(&ge, rows, "cells", 2, "0.0004", "neo_hookean");
     claim(c, "W07-15.gimp-order",
-          "Second order at a tenth of the amplitude, 1/8 to 1/32: least order of GIMP",
+          "Plate: second order at a tenth of the amplitude, 1/8 to 1/32: least order of GIMP",
           least_order(&gimp, 2), 1.85, 2.2);
     claim(c, "W07-15.ge-gimp-order",
-          "Second order at a tenth of the amplitude, 1/8 to 1/32: least order of GE-GIMP",
+          "Plate: second order at a tenth of the amplitude, 1/8 to 1/32: least order of GE-GIMP",
           least_order(&ge, 2), 1.85, 2.2);
-    claim_differs(c, "W07-15.gimp-order-fine",
-                  "Second order at a tenth of the amplitude, 1/8 to 1/128: least order of GIMP",
-                  least_order(&gimp, 4), 1.85, 2.2, 1.2, 1.4, why);
-    claim_differs(c, "W07-15.ge-gimp-order-fine",
-                  "Second order at a tenth of the amplitude, 1/8 to 1/128: least order of GE-GIMP",
-                  least_order(&ge, 4), 1.85, 2.2, 0.9, 1.1, why);
+    claim_differs(
+        c, "W07-15.gimp-order-fine",
+        "Plate: second order at a tenth of the amplitude, 1/8 to 1/128: least order of GIMP",
+        least_order(&gimp, 4), 1.85, 2.2, 1.2, 1.4, why);
+    claim_differs(
+        c, "W07-15.ge-gimp-order-fine",
+        "Plate: second order at a tenth of the amplitude, 1/8 to 1/128: least order of GE-GIMP",
+        least_order(&ge, 4), 1.85, 2.2, 0.9, 1.1, why);
 }
 
 /* GIMP beside MPM on the finest mesh; and what an exactly linear law leaves of the tail. */
@@ -122,11 +126,12 @@ static void check_causes(Check *c, const Table *rows)
     pick(&gimp, rows, "cells", 1, "0.004", "neo_hookean");
     pick(&ge, rows, "cells", 2, "0.004", "neo_hookean");
     pick(&linear, rows, "cells", 2, "0.004", "linear");
-    claim(c, "W07-15.gimp-better", "GIMP converges further than MPM: its error over MPM's at 1/128",
+    claim(c, "W07-15.gimp-better",
+          "Plate: GIMP converges further than MPM: its error over MPM's at 1/128",
           measure_ratio(curve_at(&gimp, 128), curve_at(&mpm, 128)), 0, 0.5);
     claim_differs(c, "W07-15.finite-strain",
-                  "The tail-off comes from finite strain: GE-GIMP's error at 1/128 with an exactly "
-                  "linear law over that with the neo-Hookean",
+                  "Plate: the tail-off comes from finite strain: GE-GIMP's error at 1/128 with an "
+                  "exactly linear law over that with the neo-Hookean",
                   measure_ratio(curve_at(&linear, 128), curve_at(&ge, 128)), 0, 0.5, 0.68, 0.75,
                   "72 percent of the error stays with a linear law: pi A/4, from conditions at "
                   "fixed nodes on moving edges");
@@ -141,8 +146,8 @@ static void check(Check *c, const Results *r)
     check_orders(c, r->rows);
     pick(&curve, r->rows, "cells", 2, "0.004", "linear");
     claim(c, "W07-15.floor",
-          "The tail-off is due to conditions at fixed nodes on moving edges: GE-GIMP's error at "
-          "1/128 with an exactly linear law, over pi A/4",
+          "Plate: the tail-off is due to conditions at fixed nodes on moving edges: GE-GIMP's "
+          "error at 1/128 with an exactly linear law, over pi A/4",
           measure_times(curve_at(&curve, 128), 1 / (M_PI * 0.004 / 4)), 0.9, 1.1);
 }
 

@@ -71,11 +71,11 @@ static Measure spread_in_cfl(const Table *t, const char *method)
 
 static void check_fem(Check *c, const Table *t)
 {
-    claim(c, "W11-6.fem-32", "FEM's largest error at N = 32", error_at(t, "fem", "cartesian", 32),
-          0.95 * 3.50e-4, 1.05 * 3.50e-4);
-    claim(c, "W11-6.fem-order", "FEM is of second order",
+    claim(c, "W11-6.fem-32", "Ring: FEM's largest error at N = 32",
+          error_at(t, "fem", "cartesian", 32), 0.95 * 3.50e-4, 1.05 * 3.50e-4);
+    claim(c, "W11-6.fem-order", "Ring: FEM is of second order",
           order(t, "fem", "cartesian", 8, 128, MESHES), 1.9, 2.1);
-    claim(c, "W11-6.fem-best", "FEM is the most accurate at N = 32: its error over GIMP's",
+    claim(c, "W11-6.fem-best", "Ring: FEM is the most accurate at N = 32: its error over GIMP's",
           measure_ratio(error_at(t, "fem", "cartesian", 32), error_at(t, "gimp", "cartesian", 32)),
           0, 0.5);
 }
@@ -83,26 +83,27 @@ static void check_fem(Check *c, const Table *t)
 static void check_gimp(Check *c, const Table *t)
 {
     const Measure at_32 = error_at(t, "gimp", "cartesian", 32);
-    claim(c, "W11-6.gimp-32", "GIMP's largest error at N = 32, particles on the lattice", at_32,
-          0.9 * 3.04e-3, 1.1 * 3.04e-3);
-    claim(c, "W11-6.gimp-64", "GIMP's largest error at N = 64, particles on the lattice",
+    claim(c, "W11-6.gimp-32", "Ring: GIMP's largest error at N = 32, particles on the lattice",
+          at_32, 0.9 * 3.04e-3, 1.1 * 3.04e-3);
+    claim(c, "W11-6.gimp-64", "Ring: GIMP's largest error at N = 64, particles on the lattice",
           error_at(t, "gimp", "cartesian", 64), 0.9 * 2.05e-3, 1.1 * 2.05e-3);
-    claim(c, "W11-6.gimp-radial-32", "GIMP's largest error at N = 32, particles fitted to the ring",
+    claim(c, "W11-6.gimp-radial-32",
+          "Ring: GIMP's largest error at N = 32, particles fitted to the ring",
           error_at(t, "gimp", "radial", 32), 0.85 * 5.54e-4, 1.15 * 5.54e-4);
-    claim(c, "W11-6.gimp-order", "GIMP is of first order at best: order over N = 8 to 128",
+    claim(c, "W11-6.gimp-order", "Ring: GIMP is of first order at best: order over N = 8 to 128",
           order(t, "gimp", "cartesian", 8, 128, MESHES), 0.3, 1);
     claim_differs(
         c, "W11-6.gimp-layout",
-        "GIMP works best with particles on the lattice: error fitted over error lattice",
+        "Ring: GIMP works best with particles on the lattice: error fitted over error lattice",
         measure_ratio(error_at(t, "gimp", "radial", 32), at_32), 1, 100, 0.12, 0.25,
         "fitted particles are about five times better at N = 32, then stall; both are shown");
     claim(c, "W11-6.ge-gain",
-          "GE gains nothing on lattice particles: its error over GIMP's at N = 32",
+          "Ring: GE gains nothing on lattice particles: its error over GIMP's at N = 32",
           measure_ratio(error_at(t, "ge_gimp", "cartesian", 32), at_32), 1, 1.3);
-    claim(c, "W11-6.gimp-cfl",
-          "GIMP's error does not depend on the time step: largest over smallest, "
-          "CFL .05 to .5",
-          spread_in_cfl(t, "gimp"), 1, 1.1);
+    claim(
+        c, "W11-6.gimp-cfl",
+        "Ring: GIMP's error does not depend on the time step: largest over smallest, CFL .05 to .5",
+        spread_in_cfl(t, "gimp"), 1, 1.1);
 }
 
 /* (largest - smallest)/largest error of the runs with CFL .05 .. .6 at N = 32. */
@@ -116,17 +117,19 @@ static Measure share_in_cfl(const Table *t, const char *method)
 static void check_wls(Check *c, const Table *t)
 {
     const Measure at_32 = error_at(t, "wls", "radial", 32);
-    claim(c, "W11-6.wls-32", "WLS's largest error at N = 32", at_32, 0.85 * 7.71e-4,
+    claim(c, "W11-6.wls-32", "Ring: WLS's largest error at N = 32", at_32, 0.85 * 7.71e-4,
           1.15 * 7.71e-4);
-    claim(c, "W11-6.wls-64", "WLS's largest error at N = 64", error_at(t, "wls", "radial", 64),
-          0.75 * 2.73e-4, 1.25 * 2.73e-4);
+    claim(c, "W11-6.wls-64", "Ring: WLS's largest error at N = 64",
+          error_at(t, "wls", "radial", 64), 0.75 * 2.73e-4, 1.25 * 2.73e-4);
     claim(c, "W11-6.wls-gimp",
-          "WLS is better than GIMP with particles on the lattice: its error over GIMP's, N = 32",
+          "Ring: WLS is better than GIMP with particles on the lattice: its error over GIMP's, N = "
+          "32",
           measure_ratio(at_32, error_at(t, "gimp", "cartesian", 32)), 0, 0.5);
-    claim_differs(c, "W11-6.wls-cfl",
-                  "WLS's error is flat in CFL .05 to .6 at N = 32: (largest - smallest)/largest",
-                  share_in_cfl(t, "wls"), 0, 0.10, 0.10, 0.12,
-                  "it falls by 10.3 % towards CFL .6; CFL .05 to .5 is within 6 %");
+    claim_differs(
+        c, "W11-6.wls-cfl",
+        "Ring: WLS's error is flat in CFL .05 to .6 at N = 32: (largest - smallest)/largest",
+        share_in_cfl(t, "wls"), 0, 0.10, 0.10, 0.12,
+        "it falls by 10.3 % towards CFL .6; CFL .05 to .5 is within 6 %");
 }
 
 /* How many of WLS's runs with CFL .05 .. .7 are lost. */
@@ -146,43 +149,44 @@ static void check_orders(Check *c, const Table *t)
     errors(&fem, t, "fem", "cartesian");
     curve_pick(&step, t, "cfl", "error_linf", "method=wls cells=64");
     claim_differs(c, "W11-6.wls-order-coarse",
-                  "WLS is of second order on coarser meshes: fitted over N = 8 to 45",
+                  "Ring: WLS is of second order on coarser meshes: fitted over N = 8 to 45",
                   order(t, "wls", "radial", 8, 45, 6), 1.9, 2.2, 1.75, 1.9,
                   "order 1.94 over N = 8 to 16, 1.77 over 16 to 32, 1.51 over 32 to 64");
-    claim_differs(c, "W11-6.wls-tail",
-                  "WLS has an error of first order that shows on fine meshes: order over N = 64 to "
-                  "128",
-                  order(t, "wls", "radial", 64, 128, 3), 0.8, 1.3, 1.5, 1.8,
-                  "order 1.68 there: below second order, but not yet first");
-    claim_differs(c, "W11-6.wls-fem",
-                  "WLS is somewhat less accurate than FEM: its error over FEM's, mean of nine "
-                  "meshes",
-                  curve_mean_ratio(&wls, &fem, MESHES), 1, 2, 2.3, 3,
-                  "2.6 times FEM's error; 1.7 at N = 8, 2.2 at 32, 3.8 at 128");
+    claim_differs(
+        c, "W11-6.wls-tail",
+        "Ring: WLS has an error of first order that shows on fine meshes: order over N = 64 to 128",
+        order(t, "wls", "radial", 64, 128, 3), 0.8, 1.3, 1.5, 1.8,
+        "order 1.68 there: below second order, but not yet first");
+    claim_differs(
+        c, "W11-6.wls-fem",
+        "Ring: WLS is somewhat less accurate than FEM: its error over FEM's, mean of nine meshes",
+        curve_mean_ratio(&wls, &fem, MESHES), 1, 2, 2.3, 3,
+        "2.6 times FEM's error; 1.7 at N = 8, 2.2 at 32, 3.8 at 128");
     claim_differs(c, "W11-6.fine-cfl",
-                  "A low CFL number matters on fine meshes: WLS's error at CFL .6 over that at .3, "
-                  "N = 64",
+                  "Ring: a low CFL number matters on fine meshes: WLS's error at CFL .6 over that "
+                  "at .3, N = 64",
                   measure_ratio(curve_at(&step, 0.6), curve_at(&step, 0.3)), 1.1, 100, 0.9, 1,
                   ".93: the larger step is slightly more accurate, as at N = 32");
     claim(c, "W11-6.cell-size",
-          "The cell size is a reliable distance for the time step: WLS runs lost at CFL .05 to "
-          ".7, N = 32, of 8",
+          "Ring: the cell size is a reliable distance for the time step: WLS runs lost at CFL .05 "
+          "to .7, N = 32, of 8",
           lost_steps(t), 0, 0);
 }
 
 static void check_wls2(Check *c, const Table *t)
 {
-    claim(c, "W11-6.wls2-32", "WLS2's largest error at N = 32", error_at(t, "wls2", "radial", 32),
-          0, 6.0e-4);
-    claim(c, "W11-6.wls2-64", "WLS2's largest error at N = 64", error_at(t, "wls2", "radial", 64),
-          0, 1.4e-4);
-    claim(c, "W11-6.wls2-128", "WLS2's largest error at N = 128",
+    claim(c, "W11-6.wls2-32", "Ring: WLS2's largest error at N = 32",
+          error_at(t, "wls2", "radial", 32), 0, 6.0e-4);
+    claim(c, "W11-6.wls2-64", "Ring: WLS2's largest error at N = 64",
+          error_at(t, "wls2", "radial", 64), 0, 1.4e-4);
+    claim(c, "W11-6.wls2-128", "Ring: WLS2's largest error at N = 128",
           error_at(t, "wls2", "radial", 128), 0, 4e-5);
-    claim(c, "W11-6.wls2-order", "WLS2 is of second order: fitted over N = 16 to 64",
+    claim(c, "W11-6.wls2-order", "Ring: WLS2 is of second order: fitted over N = 16 to 64",
           order(t, "wls2", "radial", 16, 64, 5), 1.8, 2.3);
-    claim(c, "W11-6.wls2-cfl",
-          "WLS2's error falls with a larger step, CFL .05 to .6: (largest - smallest)/largest",
-          share_in_cfl(t, "wls2"), 0.3, 0.38);
+    claim(
+        c, "W11-6.wls2-cfl",
+        "Ring: WLS2's error falls with a larger step, CFL .05 to .6: (largest - smallest)/largest",
+        share_in_cfl(t, "wls2"), 0.3, 0.38);
 }
 
 static void check(Check *c, const Results *r)
@@ -192,7 +196,7 @@ static void check(Check *c, const Results *r)
     check_wls(c, r->rows);
     check_orders(c, r->rows);
     check_wls2(c, r->rows);
-    claim(c, "W11-6.mpm-order", "MPM does not converge on the ring: order over N = 8 to 128",
+    claim(c, "W11-6.mpm-order", "Ring: MPM does not converge: order over N = 8 to 128",
           order(r->rows, "mpm", "cartesian", 8, 128, MESHES), -1, 0);
     claim_note(c, "order_gimp_radial", order(r->rows, "gimp", "radial", 8, 128, MESHES).value);
     for (const Info *const *m = engine_2d.methods; *m; m++) {

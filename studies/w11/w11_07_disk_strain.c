@@ -46,18 +46,19 @@ static Look look(const Results *r, const char *method, const char *time)
 static void check(Check *c, const Results *r)
 {
     const Look start = look(r, "wls", "0"), later = look(r, "wls", "2"), last = look(r, "wls", "3");
-    claim(c, "W11-7.flight", "WLS: strain energy at t = 0 over that at t = 3",
+    claim(c, "W11-7.flight", "Disk, WLS: strain energy at t = 0 over that at t = 3",
           measure_ratio(start.energy, last.energy), 0, 1e-12);
     claim(c, "W11-7.vibration",
-          "WLS: little strain energy is left between two impacts: strain energy at t = 2 over that "
-          "at t = 3",
+          "Disk, WLS: little strain energy is left between two impacts: strain energy at t = 2 "
+          "over that at t = 3",
           measure_ratio(later.energy, last.energy), 0, 0.2);
-    claim(
-        c, "W11-7.second-impact",
-        "WLS: fig. 7c is the second impact: at t = 3 the disk is at the right wall: largest x [m]",
-        last.right, 0.98, 1.001);
+    claim(c, "W11-7.second-impact",
+          "Disk, WLS: fig. 7c is the second impact: at t = 3 the disk is at the right wall: "
+          "largest x [m]",
+          last.right, 0.98, 1.001);
     claim(c, "W11-7.turning",
-          "WLS: at t = 3 the right wall is throwing the disk back: mean vx over that at the start",
+          "Disk, WLS: at t = 3 the right wall is throwing the disk back: mean vx over that at the "
+          "start",
           measure_ratio(last.vx, start.vx), -0.6, -0.1);
 }
 

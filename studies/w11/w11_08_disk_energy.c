@@ -72,13 +72,13 @@ static void check_one(Check *c, const Results *r, const char *method, const char
 {
     const Bounce b = bounce(r, method);
     claim(c, phrase("W11-8.half-%s", method),
-          phrase("%s: kinetic energy falls by half: least of it over E0", label), b.least, 0.52,
-          0.54);
+          phrase("Disk, %s: kinetic energy falls by half: least of it over E0", label), b.least,
+          0.52, 0.54);
     claim(c, phrase("W11-8.when-%s", method),
-          phrase("%s: time of the least kinetic energy [s]", label), measure_with(b.least, b.at),
-          0.90, 0.96);
+          phrase("Disk, %s: time of the least kinetic energy [s]", label),
+          measure_with(b.least, b.at), 0.90, 0.96);
     claim(c, phrase("W11-8.back-%s", method),
-          phrase("%s: total energy over E0 at t = 2.3, after the rebound", label),
+          phrase("Disk, %s: total energy over E0 at t = 2.3, after the rebound", label),
           measure_with(b.over, b.back), low, high);
 }
 
@@ -115,22 +115,24 @@ static void check(Check *c, const Results *r)
     check_one(c, r, "wls", "WLS", 0.994, 1.006);
     check_one(c, r, "wls2", "WLS2", 0.994, 1.006);
     check_one(c, r, "gimp", "GIMP", 0.970, 0.980);
-    claim(
-        c, "W11-8.towards-wls",
-        "WLS: the velocity towards the wall vanishes in the impact: its momentum over the start's "
-        "when the kinetic energy is least",
-        momentum_left(r, "wls", "py"), -0.15, 0.15);
+    claim(c, "W11-8.towards-wls",
+          "Disk, WLS: the velocity towards the wall vanishes in the impact: its momentum over the "
+          "start's when the kinetic energy is least",
+          momentum_left(r, "wls", "py"), -0.15, 0.15);
     claim(c, "W11-8.along-wls",
-          "WLS: the velocity along the wall stays: its momentum over the start's when the kinetic "
-          "energy is least",
+          "Disk, WLS: the velocity along the wall stays: its momentum over the start's when the "
+          "kinetic energy is least",
           momentum_left(r, "wls", "px"), 0.97, 1.03);
-    claim(c, "W11-8.smooth-wls", "WLS: no jumps: largest change of energy in a step over E0",
+    claim(c, "W11-8.smooth-wls",
+          "Disk, WLS: no jumps: largest change of the total energy in one step over E0",
           largest_jump(r, "wls"), 0, 0.003);
-    claim(c, "W11-8.smooth-gimp", "GIMP: no jumps: largest change of energy in a step over E0",
+    claim(c, "W11-8.smooth-gimp",
+          "Disk, GIMP: no jumps: largest change of the total energy in one step over E0",
           largest_jump(r, "gimp"), 0, 0.003);
-    claim(c, "W11-8.unilateral",
-          "A wall that lets go halves WLS's overshoot of energy: ratio of largest total less E0",
-          measure_ratio(bounce(r, "wls_unilateral").over, bounce(r, "wls").over), 0, 0.65);
+    claim(
+        c, "W11-8.unilateral",
+        "Disk: a unilateral wall halves WLS's overshoot of energy: ratio of largest total less E0",
+        measure_ratio(bounce(r, "wls_unilateral").over, bounce(r, "wls").over), 0, 0.65);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         const Bounce b = bounce(r, (*m)->name);
         claim_note(c, phrase("back_%s", (*m)->name), b.back);

@@ -80,11 +80,13 @@ static void check_reference(Check *c, const Results *r)
         measure_add_max(&worst, fabs(curve_at(&truth, 10 * k).value - known[k]));
     const Measure peak = curve_max(&truth, 91);
     claim(c, "W11-10.reference",
-          "FEM, N = 256: ten values along the hole, largest difference [GPa]", worst, 0, 0.5);
-    claim(c, "W11-10.peak", "FEM, N = 256: largest stress along the hole [GPa]", peak, 124.7,
-          125.3);
+          "Plate with a hole, FEM, N = 256: ten values along the hole, largest difference [GPa]",
+          worst, 0, 0.5);
+    claim(c, "W11-10.peak", "Plate with a hole, FEM, N = 256: largest stress along the hole [GPa]",
+          peak, 124.7, 125.3);
     claim(c, "W11-10.peak-place",
-          "FEM, N = 256: the largest stress is at 90 degrees: the value there over it",
+          "Plate with a hole, FEM, N = 256: the largest stress is at 90 degrees: the value there "
+          "over it",
           measure_with(peak, curve_at(&truth, 90).value / peak.value), 1, 1);
 }
 
@@ -99,11 +101,14 @@ static void check_moved(Check *c, const Table *sums)
         const char *method, *id, *text;
         double low, high;
     } known[] = {
-        {"wls", "W11-10.moved-wls", "WLS, h = 1/32: largest displacement [m]", 0.364, 0.366},
-        {"wls2", "W11-10.moved-wls2", "WLS2, h = 1/32: largest displacement [m]", 0.364, 0.366},
-        {"gimp", "W11-10.moved-gimp", "GIMP, h = 1/32: largest displacement [m]", 0.3702, 0.3722},
-        {"fem_nodes", "W11-10.moved-fem", "FEM, h = 1/32: largest displacement [m]", 0.3619,
-         0.3639},
+        {"wls", "W11-10.moved-wls", "Plate with a hole, WLS, h = 1/32: largest displacement [m]",
+         0.364, 0.366},
+        {"wls2", "W11-10.moved-wls2", "Plate with a hole, WLS2, h = 1/32: largest displacement [m]",
+         0.364, 0.366},
+        {"gimp", "W11-10.moved-gimp", "Plate with a hole, GIMP, h = 1/32: largest displacement [m]",
+         0.3702, 0.3722},
+        {"fem_nodes", "W11-10.moved-fem",
+         "Plate with a hole, FEM, h = 1/32: largest displacement [m]", 0.3619, 0.3639},
     };
     for (int k = 0; k < 4; k++)
         claim(c, known[k].id, known[k].text, result(sums, "displacement", known[k].method, 32),
@@ -112,23 +117,28 @@ static void check_moved(Check *c, const Table *sums)
 
 static void check_stress(Check *c, const Table *sums)
 {
-    claim(c, "W11-10.rms-wls", "WLS, h = 1/32: rms difference from the reference [GPa]",
+    claim(c, "W11-10.rms-wls",
+          "Plate with a hole, WLS, h = 1/32: rms difference from the reference [GPa]",
           result(sums, "rms", "wls", 32), 2.5, 5.5);
-    claim(c, "W11-10.rms-wls2", "WLS2, h = 1/32: rms difference from the reference [GPa]",
+    claim(c, "W11-10.rms-wls2",
+          "Plate with a hole, WLS2, h = 1/32: rms difference from the reference [GPa]",
           result(sums, "rms", "wls2", 32), 2, 4);
-    claim(c, "W11-10.rms-gimp", "GIMP, h = 1/32: rms difference from the reference [GPa]",
+    claim(c, "W11-10.rms-gimp",
+          "Plate with a hole, GIMP, h = 1/32: rms difference from the reference [GPa]",
           result(sums, "rms", "gimp", 32), 25, 50);
-    claim_differs(c, "W11-10.near-fem",
-                  "WLS is nearly as accurate as FEM: rms difference over FEM's, h = 1/32",
-                  measure_ratio(result(sums, "rms", "wls", 32), result(sums, "rms", "fem", 32)), 0,
-                  1.5, 6, 9,
-                  "WLS 3.4 GPa, FEM .45 with the two triangles of a quad averaged as in the "
-                  "reference (single triangles: 5.3, so that WLS would seem better)");
-    claim(c, "W11-10.scatter", "GIMP has more scatter: its scatter over WLS's, h = 1/32",
+    claim_differs(
+        c, "W11-10.near-fem",
+        "Plate with a hole: WLS is nearly as accurate as FEM: rms difference over FEM's, h = 1/32",
+        measure_ratio(result(sums, "rms", "wls", 32), result(sums, "rms", "fem", 32)), 0, 1.5, 6, 9,
+        "WLS 3.4 GPa, FEM .45 with the two triangles of a quad averaged as in the reference "
+        "(single triangles: 5.3, so that WLS would seem better)");
+    claim(c, "W11-10.scatter",
+          "Plate with a hole: GIMP has more scatter: its scatter over WLS's, h = 1/32",
           measure_ratio(result(sums, "scatter", "gimp", 32), result(sums, "scatter", "wls", 32)), 2,
           10);
     claim(c, "W11-10.gimp-finer",
-          "GIMP gets worse on finer meshes: rms difference at h = 1/64 over that at 1/16",
+          "Plate with a hole: GIMP gets worse on finer meshes: rms difference at h = 1/64 over "
+          "that at 1/16",
           measure_ratio(result(sums, "rms", "gimp", 64), result(sums, "rms", "gimp", 16)), 1.2,
           2.5);
 }
@@ -140,7 +150,8 @@ static void check(Check *c, const Results *r)
     check_reference(c, r);
     check_moved(c, sums);
     check_stress(c, sums);
-    claim(c, "W11-10.whole", "WLS2 completes on every mesh, h = 1/16 to 1/64: of five",
+    claim(c, "W11-10.whole",
+          "Plate with a hole: WLS2 completes on every mesh, h = 1/16 to 1/64: of five",
           measure_with(lost, (double)MESHES - lost.value), 5, 5);
     for (const Info *const *m = engine_2d.methods; *m; m++) {
         const char *name = (*m)->name;

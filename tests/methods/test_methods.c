@@ -61,6 +61,7 @@ static double spread_of(const Sim *sim)
     Stencil s;
     double D = 0;
     if (sim->method.moments) return 1;
+    if (sim->method.list) return 0.25 * sim->dx * sim->dx; /* quadratic splines */
     for (int p = 0; p < CHUNK; p++) x[p] = 20.3;
     sim->method.shape(&open_axis, sim->method.width(0.5), x, b, &s);
     for (int k = 0; k < sim->method.width(0.5); k++)

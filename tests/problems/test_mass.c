@@ -134,13 +134,28 @@ static double allowed(const Scene *s, const Case *c, bool fitted, bool mesh, dou
     return fitted && kind != BODY_HOLE_PLATE && kind != BODY_CAVITY ? 0 : 0.5 * curved * spacing;
 }
 
+/* Volume of a scene's bodies, and the error that is allowed. */
+static double bodies_of(const Scene *s, const Case *c, bool fitted, bool mesh, double *error)
+{
+    double volume = 0;
+    *error = 0;
+    for (int b = 0; b < (s->problem->part ? 2 : 1); b++) {
+        Scene own = *s;
+        double curved;
+        if (s->problem->part) s->problem->part(&own, b);
+        volume += body_of(&own, &curved);
+        *error += allowed(&own, c, fitted, mesh, curved);
+    }
+    return volume;
+}
+
 static void check_scene(const Case *c, const char *method, bool fitted)
 {
     Rig r;
     Points p;
     Samples q;
     Counts counts;
-    double curved;
+    double error;
     if (!rig_plan(&r, c, method, CD, fitted ? "layout=radial" : "layout=cartesian")) return;
     const Scene *s = &r.plan.scene;
     const bool mesh = r.plan.setup.method == NULL;
@@ -148,8 +163,8 @@ static void check_scene(const Case *c, const char *method, bool fitted)
     CU_ASSERT_PTR_NOT_NULL_FATAL(self);
     r.plan.solver->view(self, &p, &q);
     r.plan.solver->counts(self, &counts);
-    const double volume = body_of(s, &curved), V = sum(p.n, p.V0), m = sum(p.n, p.m);
-    const double error = allowed(s, c, fitted, mesh, curved);
+    const double volume = bodies_of(s, c, fitted, mesh, &error);
+    const double V = sum(p.n, p.V0), m = sum(p.n, p.m);
     if (counts.particles > 0) CHECK_CLOSE(V, volume, error + 1e-12 * volume);
     CHECK_CLOSE(m, s->mat.rho * V, 1e-12 * s->mat.rho * volume);
     if (counts.particles > 0 && !mesh)

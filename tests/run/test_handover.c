@@ -76,7 +76,13 @@ static Motion of_particles(const Sim *sim)
  * and corners that move by themselves have another middle than the particle. */
 static Motion of_method(Sim *sim)
 {
-    return sim->method.assemble || sim->method.own ? of_particles(sim) : of_nodes(sim);
+    const bool moves = sim->method.own && !sim->method.modes;
+    return sim->method.assemble || moves ? of_particles(sim) : of_nodes(sim);
+}
+
+static bool carries_slopes(const Method *m)
+{
+    return m->affine || m->modes;
 }
 
 static double gap(const Motion *a, const Motion *b)
@@ -119,7 +125,7 @@ static void check_pair(const Method *first, const Method *second)
     CU_ASSERT(sim_take_over(to, from, &fault) == 0);
     const Motion particles = of_particles(to), after = of_method(to);
     const bool tents = !to->method.smooth && !to->method.assemble; /* unstable, some of them */
-    const bool turned = from->method.affine && !to->method.affine;
+    const bool turned = carries_slopes(&from->method) && !carries_slopes(&to->method);
     CHECK_CLOSE(gap(&before, &after), 0, 1e-12);
     CU_ASSERT(before.size > 0 && step > 0);
     CU_ASSERT(turned || fabs(particles.energy - energy) <= step);

@@ -17,7 +17,8 @@
 static const char dir[] = "scratch/ranges";
 
 /* Formulas of the program itself: in no table. */
-static const char *const formulas[] = {"W11-2.masks", "W11-2.smooth", "W11-3.circular", NULL};
+static const char *const formulas[] = {"W11-2.masks", "W11-2.smooth",   "W11-3.circular",
+                                       "T-9.cases",   "T-9.complement", NULL};
 
 /* Columns by which rows are chosen; x and y only where there is no X. */
 static const char *const keys[] = {

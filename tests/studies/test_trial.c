@@ -17,6 +17,8 @@ static const char dir[] = "scratch/trial";
 /* Lists of claims; what ends in a point stands for all that begin so. Of formulas: no run needed.
  */
 static const char *const formulas[] = {"W07-2.",
+                                       "T-9.cases",
+                                       "T-9.complement",
                                        "W11-2.masks",
                                        "W11-2.smooth",
                                        "W11-3.circular",
@@ -27,19 +29,20 @@ static const char *const formulas[] = {"W07-2.",
                                        "T-15.jump-exact",
                                        "T-15.jump-gauss16",
                                        "T-15.jump-samples16",
-                                       "T-16.exact",
-                                       "T-16.cells-mpm",
-                                       "T-16.sizes-mpm",
-                                       "T-16.order-mpm",
-                                       "T-16.cells-gimp",
-                                       "T-16.sizes-gimp",
-                                       "T-16.order-gimp",
-                                       "T-16.order-ge_gimp",
-                                       "T-16.order-wls",
-                                       "T-16.program",
+                                       "T-17.exact",
+                                       "T-17.cells-mpm",
+                                       "T-17.sizes-mpm",
+                                       "T-17.order-mpm",
+                                       "T-17.cells-gimp",
+                                       "T-17.sizes-gimp",
+                                       "T-17.order-gimp",
+                                       "T-17.order-ge_gimp",
+                                       "T-17.order-wls",
+                                       "T-17.program",
                                        NULL};
 /* Formulas that are in no table either. */
-static const char *const no_table[] = {"W11-2.masks", "W11-2.smooth", "W11-3.circular", NULL};
+static const char *const no_table[] = {"W11-2.masks", "W11-2.smooth",   "W11-3.circular",
+                                       "T-9.cases",   "T-9.complement", NULL};
 /* That no run is lost (or what one is worth that is): one that is must tell. */
 static const char *const none_lost[] = {"T-12.wls2",
                                         "W07-12.gimp-lost",
@@ -66,7 +69,9 @@ static const char *const none_lost[] = {"T-12.wls2",
                                         NULL};
 /* That some runs are lost, or where that begins; or the best of many runs, or of those not lost,
  * of which there must be so many. */
-static const char *const some_lost[] = {"T-12.determinant",
+static const char *const some_lost[] = {"T-8.ge-wls-time",
+                                        "T-8.ge-wls-steps",
+                                        "T-12.determinant",
                                         "T-12.count",
                                         "T-12.low",
                                         "T-12.usual",

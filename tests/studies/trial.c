@@ -189,18 +189,18 @@ static void nodes(FILE *f, const Case *c)
     fputs("id,x,y,mass,vx,vy\n", f);
     for (int j = from; j <= (bar ? from : to); j++)
         for (int i = from; i <= to; i++)
-            fprintf(f, "%d,%.10g,%.10g,%g,%.10g,0\n", i, i / n, bar ? 0 : j / n, 1 / n,
-                    1 + i / n + 1e-3 * spread(i + j));
+            fprintf(f, "%d,%.10g,%.10g,%g,%.10g,0\n", i, i / n, bar ? 0 : j / n,
+                    (1 + 1e-3 * spread(i)) / n, 1 + i / n + 1e-3 * spread(i + j));
 }
 
 static void patches(FILE *f, const Case *c)
 {
     const double n = c->spec.cells;
-    fputs("cell,k,x,y,cut\n", f);
+    fputs("cell,k,x,y,cut,z,face\n", f);
     for (int k = 0; k < 240; k++) {
         const double x = floor(0.6 * n * spread(k)) / n;
         const double y = sqrt(0.625 * 0.625 - x * x) + 0.1 / (n * n) + 1e-3 * (k % 4 == 2);
-        fprintf(f, "%d,%d,%.17g,%.17g,1\n", k / 4, k % 4, x, y);
+        fprintf(f, "%d,%d,%.17g,%.17g,1,%.17g,0\n", k / 4, k % 4, x, y, 0.1 * spread(k + 1) / n);
     }
 }
 

@@ -1,7 +1,7 @@
 /* textbook.c: see textbook.h. Equations: W07 2.1, 4.2; W11 26-30, A2. */
 #include <math.h>
 #include <string.h>
-#include "textbook_sight.h"
+#include "textbook_modes.h"
 
 /* What a gather is for. */
 typedef struct Take {
@@ -83,8 +83,10 @@ static void slopes(const Twin *w, const TwinParticle *p, const Sight s[3], doubl
 static void deposit(Twin *w, const TwinParticle *p, bool force)
 {
     Sight s[3];
+    TwinModes modes;
     double stress[DIM][DIM] = {{0}}, A[DIM][DIM] = {{0}}, S, G[DIM], x[DIM];
     look_around(w, p, s);
+    if (w->method.modes) find_modes(w, p, s, &modes);
     if (w->method.gradient) slopes(w, p, s, A);
     if (force) cauchy(&w->setup->scene->mat, p->F, stress);
     if (is_total(w) && force) piola(p->F, stress);
@@ -98,6 +100,7 @@ static void deposit(Twin *w, const TwinParticle *p, bool force)
             double v = p->v[a];
             for (int b = 0; b < DIM && w->method.gradient; b++)
                 v += A[a][b] * (x[b] - place(w, p, b));
+            if (w->method.modes) v += mode_velocity(w, p, &modes, i, a);
             node->p[a] += S * p->m * v;
             for (int b = 0; b < DIM && force; b++) node->f[a] -= V * stress[a][b] * G[b];
             if (force) node->f[a] += S * p->m * p->b[a];
@@ -116,6 +119,7 @@ static TwinParticle image(const TwinParticle *p, const Wall *wall)
     for (int c = 0; c < TWIN_CORNERS; c++) q.corner[c][n] = 2 * wall->at - p->corner[c][n];
     q.b[n] = -p->b[n];
     q.w[n] = -p->w[n];
+    mirror_modes(&q, n);
     for (int a = 0; a < DIM; a++)
         for (int b = 0; b < DIM; b++)
             if ((a == n) != (b == n)) q.F[a][b] = -p->F[a][b], q.L[a][b] = -p->L[a][b];
@@ -231,8 +235,10 @@ static void gather_one(const Twin *w, TwinParticle *p, double dt, Take take)
 {
     const TwinMethod *m = &w->method;
     Sight s[3];
+    TwinModes modes;
     double S, G[DIM], x[DIM], v[DIM] = {0}, a[DIM] = {0}, L[DIM][DIM] = {{0}}, B[DIM][DIM] = {{0}};
     look_around(w, p, s);
+    if (m->modes) find_modes(w, p, s, &modes);
     FOR_NODES(s, i)
     {
         const TwinNode *node = node_of(w, s, i, &S, G, x);
@@ -250,6 +256,7 @@ static void gather_one(const Twin *w, TwinParticle *p, double dt, Take take)
         if (take.later) p->u[d] = dt * v[d];
     }
     if (m->pic > 0 ? take.v : take.L || take.F) memcpy(p->L, m->moments ? B : L, sizeof L);
+    if (m->modes && take.v) take_twin_modes(w, p, s, &modes);
     const bool moves = take.x || (take.F && w->setup->integrator == MUSL);
     if (moves && m->shape == TWIN_CPDI2 && !is_total(w)) move_corners(w, p, dt, s);
     if (take.F) deform(w, p, dt, L);

@@ -16,6 +16,7 @@ typedef struct TwinParticle {
     double b[DIM];                 /* [m/s^2] body force per mass */
     double F[DIM][DIM];            /* [-] */
     double corner[1 << DIM][DIM];  /* [m] of its domain (CPDI2) */
+    double mode[3][3][3][DIM];     /* [m/s] by degree along each axis (PolyPIC) */
     double L[DIM][DIM];            /* [1/s] grad v of the last gather; or moments [m^2/s] */
 } TwinParticle;
 
@@ -44,6 +45,7 @@ typedef struct TwinMethod {
     double pic;    /* share of S v in v, the rest is v + dt S a; a gradient is taken with it */
     bool moments;  /* keeps sum_i S v (x_i - x)^T in the place of L (APIC) */
     bool fitted;   /* slopes of moving least squares instead of derivatives */
+    bool modes;    /* keeps modes up to degree 2 (textbook_modes.h) */
     TwinFilter filter;
     double least; /* a node with less than this part of a particle's mass is empty */
 } TwinMethod;

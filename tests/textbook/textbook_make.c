@@ -29,6 +29,7 @@ static const TwinMethod known[] = {
      .pic = 1,
      .fitted = true,
      .least = 1e-24},
+    {.name = "polypic", .shape = TWIN_SPLINE, .pic = 1, .modes = true, .least = 1e-24},
     {.name = "cpdi", .shape = TWIN_CPDI, .least = 1e-24},
     {.name = "cpdi2", .shape = TWIN_CPDI2, .least = 1e-24},
     {.name = "flip_pic", .shape = TWIN_BOX, .least = 1e-24}};

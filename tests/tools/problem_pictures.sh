@@ -22,6 +22,10 @@ disk_impact --cells 40 --method wls2 --t-end 1.2
 hole_plate --cells 40 --method wls2
 cantilever --cells 4 --method wls2
 hanging_bar --cells 8 --method tlmpm --t-end .2
+collinear_bars --cells 40 --t-end .01
+sliding_block --cells 10
+two_disks --cells 40 --t-end .9
+scan --cells 40 --set load=squeeze
 shell --cells 12 --method wls2 --t-end .006
 ball_impact --cells 20 --t-end 1.2
 cavity --cells 20 --method wls2'
@@ -30,11 +34,11 @@ while read -r problem options; do
     "$program" run "$problem" $options --particles "$problem.csv" --quiet >row || { echo "problem_pictures: $problem: $(tail -n 1 row)" >&2 && exit 1; }
 done <<<"$runs"
 cat >draw.gp <<'G'
-set terminal pngcairo size 1100,880 font 'DejaVu Sans,11' background '#ffffff'
+set terminal pngcairo size 1100,1100 font 'DejaVu Sans,11' background '#ffffff'
 set output plots.'/readme_problems.png'
 load plots.'/viridis.gp'
 set datafile separator ',' columnheaders
-set multiplot layout 4, 5 margins 0.01, 0.99, 0.01, 0.965 spacing 0.015, 0.045
+set multiplot layout 5, 5 margins 0.01, 0.99, 0.01, 0.965 spacing 0.015, 0.045
 unset border; unset tics; unset key; unset colorbox
 do for [k = 1:words(names)] {
     file = word(names, k).'.csv'

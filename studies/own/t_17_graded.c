@@ -1,4 +1,4 @@
-/* t_16_graded.c: projection onto grids whose cells differ in size, and from particles that do (W07,
+/* t_17_graded.c: projection onto grids whose cells differ in size, and from particles that do (W07,
  * abstract and section 2). The program's cells are equal, so this page has its own projector in 1D:
  * tents on any grid; GIMP, their mean over a particle's length; both with the particle's gradient
  * (W07 eq 4.1); and a weighted least-squares fit, W the quadratic spline over the mean of a node's
@@ -189,17 +189,17 @@ static Measure linear_error(const Table *t, int method, int kind)
 static void check_plain(Check *c, const Table *t, int m)
 {
     const char *label = m == GIMP ? "GIMP" : "MPM";
-    claim(c, phrase("T-16.cells-%s", names[m]),
+    claim(c, phrase("T-17.cells-%s", names[m]),
           phrase("%s, 1D, 48 cells whose sizes differ by 1.5 from one to the next: largest error "
                  "of a linear field over the mean cell size",
                  label),
           measure_times(linear_error(t, m, 0), 48), 0.02, 0.4);
-    claim(c, phrase("T-16.sizes-%s", names[m]),
+    claim(c, phrase("T-17.sizes-%s", names[m]),
           phrase("%s, 1D, 48 equal cells, in every second of which two particles differ by 1.5 "
                  "in length: largest error of a linear field over the cell size",
                  label),
           measure_times(linear_error(t, m, 1), 48), 0.001, 0.01);
-    claim(c, phrase("T-16.order-%s", names[m]),
+    claim(c, phrase("T-17.order-%s", names[m]),
           phrase("%s, cells that differ by 1.5: order of the error of a linear field", label),
           order(t, m, 0, 0), 0.9, 1.1);
 }
@@ -212,23 +212,23 @@ static void check(Check *c, const Results *r)
         if (!select_is(t, row, "method", "mpm") && !select_is(t, row, "method", "gimp"))
             measure_add_max(&exact, select_number(t, row, "error"));
     claim(
-        c, "T-16.exact",
+        c, "T-17.exact",
         "GE-MPM, GE-GIMP and the least-squares fit project a linear field exactly on graded grids "
         "and from graded particles: largest error",
         exact, 0, 1e-13);
     for (int m = TENT; m <= GIMP; m++) check_plain(c, t, m);
-    claim(c, "T-16.order-ge_gimp",
+    claim(c, "T-17.order-ge_gimp",
           "GE-GIMP, cells that differ by 1.5: order of the error of a quadratic field",
           order(t, GE_GIMP, 0, 1), 1.9, 2.1);
     claim(
-        c, "T-16.order-wls",
+        c, "T-17.order-wls",
         "The least-squares fit, cells that differ by 1.5: order of the error of a quadratic field",
         order(t, FIT, 0, 1), 1.9, 2.1);
-    claim(c, "T-16.program",
+    claim(c, "T-17.program",
           "Tents and GIMP here and in the program on equal cells: largest difference of a weight",
           select_value(results_part(r, "program"), "difference", "cells=12"), 0, 1e-14);
     claim(
-        c, "T-16.condition",
+        c, "T-17.condition",
         "H-6's particles: condition number of WLS's moments, largest of 36 nodes inside, jitter .5 "
         "and grading 2 over the lattice",
         measure_ratio(select_value(k, "condition", "grading=2 jitter=0.5"),
@@ -236,9 +236,9 @@ static void check(Check *c, const Results *r)
         1.1, 10);
 }
 
-const Study study_t_16_graded = {
-    .name = "t_16_graded",
-    .figure = "T-16",
+const Study study_t_17_graded = {
+    .name = "t_17_graded",
+    .figure = "T-17",
     .about = "projection on graded grids and from graded particles; condition of moments",
     .cases = cases,
     .tables = tables,
