@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "studies/phrase.h"
+#include "studies/runs/must.h"
 #include "parts.h"
 
 enum { MOVING = 600000 }; /* bytes of a moving picture that the page takes */
@@ -54,30 +55,55 @@ static bool is_idle_blank(const Place *at, int c)
                       : strchr("<>\"", at->before) && strchr("</>", c);
 }
 
+/* What gnuplot says of every piece of a drawing, and what this page says instead: the font once,
+ * ends and corners of lines as they are by default. */
+static const struct {
+    const char *said, *instead;
+} sayings[] = {{"<g id=\"gnuplot_canvas\"", "<g font-family=\"DejaVu Sans\""},
+               {" font-family=\"DejaVu Sans\"", ""},
+               {" stroke-linecap=\"butt\" stroke-linejoin=\"miter\"", ""}};
+
+static void put_character(FILE *out, Place *at, int c)
+{
+    if (isspace(c)) {
+        at->blank = true;
+        at->decimals = -1;
+        return;
+    }
+    if (c == '\'' && at->in_tag) c = '"';
+    if (at->in_tag && is_too_exact(at, c)) return;
+    if (at->blank && !is_idle_blank(at, c)) putc(' ', out);
+    at->blank = false;
+    at->in_tag = c == '<' || (at->in_tag && c != '>');
+    at->quoted = at->in_tag && at->quoted != (c == '"');
+    at->before = c;
+    if (strchr("#%'", c))
+        fprintf(out, "%%%02X", (unsigned)c);
+    else if (c == '&')
+        fputs("&amp;", out);
+    else
+        putc(c, out);
+}
+
 /* A drawing as the text of a URL in single quotes, without what no reader sees. */
-static void put_drawing(FILE *out, FILE *in)
+static void put_drawing(FILE *out, FILE *in, long size)
 {
     Place at = {.before = '>', .decimals = -1};
-    for (int c; (c = getc(in)) != EOF;) {
-        if (isspace(c)) {
-            at.blank = true;
-            at.decimals = -1;
-            continue;
-        }
-        if (c == '\'' && at.in_tag) c = '"';
-        if (at.in_tag && is_too_exact(&at, c)) continue;
-        if (at.blank && !is_idle_blank(&at, c)) putc(' ', out);
-        at.blank = false;
-        at.in_tag = c == '<' || (at.in_tag && c != '>');
-        at.quoted = at.in_tag && at.quoted != (c == '"');
-        at.before = c;
-        if (strchr("#%'", c))
-            fprintf(out, "%%%02X", (unsigned)c);
-        else if (c == '&')
-            fputs("&amp;", out);
+    char *text = must(calloc((size_t)size + 1, 1));
+    const size_t n = fread(text, 1, (size_t)size, in);
+    for (const char *s = text; s < text + n;) {
+        const char *instead = NULL;
+        for (size_t k = 0; k < sizeof sayings / sizeof *sayings && !instead; k++)
+            if (strncmp(s, sayings[k].said, strlen(sayings[k].said)) == 0) {
+                instead = sayings[k].instead;
+                s += strlen(sayings[k].said);
+            }
+        if (!instead)
+            put_character(out, &at, (unsigned char)*s++);
         else
-            putc(c, out);
+            for (; *instead; instead++) put_character(out, &at, (unsigned char)*instead);
     }
+    free(text);
 }
 
 /* name.ending as an image; a drawing as text. */
@@ -93,7 +119,7 @@ static void put_image(const Page *page, const char *name, const char *about, con
                                   : "gif;base64,",
           page->f);
     if (drawing)
-        put_drawing(page->f, in);
+        put_drawing(page->f, in, size_of(page, name, ending));
     else
         put_base64(page->f, in);
     fputs("'>\n", page->f);
