@@ -262,6 +262,24 @@ static void test_scenes(void)
     if (DIM < 3) CU_ASSERT(wide >= 2 && narrow >= 2 && chunks >= 1); /* 3D has no scenes yet */
 }
 
+/* A velocity gradient about x becomes one about X: L_X = L F. */
+static void test_gradient(void)
+{
+    Particles p = {.n = 1};
+    double L[NMAT], F[NMAT], before[NMAT];
+    for (int k = 0; k < NMAT; k++) {
+        L[k] = before[k] = 1 + k;
+        F[k] = 0.5 * k * k - 1;
+        p.field[AT_L + k] = &L[k], p.field[AT_F + k] = &F[k];
+    }
+    sim_refer_gradient(&p);
+    for (int k = 0; k < NMAT; k++) {
+        double sum = 0;
+        for (int j = 0; j < DIM; j++) sum += before[k / DIM * DIM + j] * F[j * DIM + k % DIM];
+        CHECK_CLOSE(L[k], sum, 1e-15);
+    }
+}
+
 static const TestCase tests[] = {
     {"the scenes have wide and narrow stencils and several blocks", test_scenes},
     {"20 steps in a corner of symmetry lines", test_corner},
@@ -269,6 +287,7 @@ static const TestCase tests[] = {
     {"the same, particles on nodes, symmetry lines and wall", test_corner_on_nodes},
     {"20 steps of every method and integrator", test_pairs},
     {"steps of tents with particles on nodes", test_on_nodes},
+    {"gradients of the reference grid", test_gradient},
     {"300 steps of the stable smooth pairs, sorted many times", test_long},
     {NULL, NULL},
 };
