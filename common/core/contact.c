@@ -237,6 +237,7 @@ static void meet_row(Contact *c, int row, double dt, bool force)
     c->spent[row] = 0;
     for (int a = 0; a < DIM; a++) g[0]->impulse[row][a] = 0;
     if ((s.row[1] = row_of_second(c, &s)) < 0) return;
+    if (g[1]->lo[s.row[1]] >= g[1]->hi[s.row[1]]) return; /* an empty span has no place to shift */
     const int lo = g[1]->lo[s.row[1]] - c->shift[0], hi = g[1]->hi[s.row[1]] - c->shift[0];
     for (int i = g[0]->lo[row] > lo ? g[0]->lo[row] : lo; i < g[0]->hi[row] && i < hi; i++) {
         for (int k = 0; k < 2; k++) {

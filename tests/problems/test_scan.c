@@ -201,7 +201,7 @@ static void test_bad_images(void)
 static void test_stack(void)
 {
     enum { SLICES = 3, WIDE = 4 };
-    char set[128], kind[16];
+    char set[128], kind[32];
     Rig r;
     if (DIM != 3) return;
     for (int k = 1; k <= SLICES; k++) {
