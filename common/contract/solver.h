@@ -65,8 +65,11 @@ typedef struct Counts {
 typedef struct Solver {
     Info info; /* of a solver that is chosen by name like a method (FEM); else empty */
 
-    /* Builds everything; NULL and a fault (2: no mesh for this scene, bad ppc; 1: memory, said
-     * before it is allocated). */
+    /* 0, or a fault if this scene cannot be run, whatever the number of cells (FEM: no mesh for
+     * its body); NULL: every scene can. */
+    int (*takes)(const Scene *scene, Fault *fault);
+
+    /* Builds everything; NULL and a fault (2: bad ppc; 1: memory, said before it is allocated). */
     void *(*make)(const Setup *setup, Fault *fault);
 
     /* Largest stable-looking step [s] for CFL 1, where it is not h/c (FEM's small triangles); or

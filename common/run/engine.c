@@ -137,11 +137,25 @@ static int describe(const char *name, FILE *out)
     return -1;
 }
 
+/* Is the displacement at the end a number (scan knows it for one of its loads only)? Asked at a
+ * point on no axis of symmetry. */
 static int has_exact(const char *name)
 {
-    for (const Problem *const *p = problems; *p; p++)
-        if (strcmp((*p)->info.name, name) == 0) return (*p)->exact != NULL;
-    return 0;
+    RunSpec spec = {0};
+    Plan plan;
+    snprintf(spec.problem, sizeof spec.problem, "%s", name);
+    if (plan_make(&spec, &plan, NULL) || !plan.scene.problem->exact) return 0;
+    const Scene *s = &plan.scene;
+    double X[DIM], u[DIM] = {0};
+    const double *at[DIM];
+    double *to[DIM];
+    for (int d = 0; d < DIM; d++) {
+        X[d] = s->body_lo[d] + (0.6 + 0.1 * d) * (s->body_hi[d] - s->body_lo[d]);
+        at[d] = &X[d];
+        to[d] = &u[d];
+    }
+    s->problem->exact(s, 1, at, s->t_end, to);
+    return !isnan(u[0]);
 }
 
 /* A chunk of one position; the other 63 see the same. */
