@@ -58,6 +58,7 @@ typedef struct Counts {
     long nodes;     /* most live grid nodes at any step; -1: no step got that far, or FEM */
     bool moved;     /* the last step has moved the points, whatever its end */
     long fallbacks; /* nodes that fell back from their method's own rule; -1: has none */
+    double particle_bytes, node_bytes; /* memory of a particle, of a live node; 0: not said */
 } Counts;
 
 /* Something that advances points in time. `self` is what make returned. One per kind: the particle

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 #include "settings.h"
+#include "common/core/sim.h"
 #include "common/core/step.h"
 
 static int resolve(RunSpec *spec, Fault *fault)
@@ -83,6 +84,16 @@ static void say_integrators(unsigned set, const char *more, FILE *out)
     fprintf(out, "\t%s\n", more);
 }
 
+/* With the usual integrator and no body force; of a mesh solver (NULL) not said. */
+static void say_memory(const Method *m, FILE *out)
+{
+    if (!m) return;
+    const Setup setup = {.method = m, .integrator = m->integrator[DIM]};
+    const Sim sim = {.setup = &setup, .method = *m};
+    fprintf(out, "memory\t%g\tbytes\tper particle in %dD\n", sim_particle_bytes(&sim), DIM);
+    fprintf(out, "memory\t%g\tbytes\tper live node in %dD\n", sim_node_bytes(&sim), DIM);
+}
+
 /* m: NULL for a mesh solver. */
 static void say_method(const Info *info, const Method *m, FILE *out)
 {
@@ -90,6 +101,7 @@ static void say_method(const Info *info, const Method *m, FILE *out)
     snprintf(usual, sizeof usual, "default %s", step_integrators[m ? m->integrator[DIM] : CD].name);
     say_info(info, "method", out);
     say_integrators(m ? m->valid : 1u << CD, usual, out);
+    say_memory(m, out);
     if (m) say_integrators(m->valid_fresh & ~m->valid, "with --set refresh=1", out);
     say_header(out);
     say_params(info->params, out);
