@@ -112,12 +112,13 @@ static int publish(Check *check, bool judged, const char *dir, Fault *fault)
 }
 
 /* One line per study of `study all`, so that a log shows how far it is. */
-static void report_study(const Study *study, const StudyOptions *o, bool failed, double since)
+static void report_study(const Study *study, const StudyOptions *o, const char *fault, double since)
 {
     if (o->action == STUDY_LIST) return;
-    fprintf(stderr, "mpmlab: %s: %s", study->name, failed ? "failed" : "done");
+    fprintf(stderr, "mpmlab: %s: %s", study->name, fault ? "failed" : "done");
     if (!o->methods) fprintf(stderr, ", %d cases", study_case_count(study, o->quick));
-    fprintf(stderr, ", %.1f s\n", stopwatch_wall() - since);
+    fprintf(stderr, ", %.1f s%s%s\n", stopwatch_wall() - since, fault ? ": " : "",
+            fault ? fault : "");
 }
 
 /* Runs one study or all; the first fault is kept, but only an interruption ends the rest. */
@@ -131,7 +132,8 @@ static int run_studies(const StudyArgs *args, Fault *fault)
         const double start = stopwatch_wall();
         if (!all && strcmp(args->name, (*s)->name) != 0) continue;
         int got = run_study(*s, &args->options, &f);
-        if (all) report_study(*s, &args->options, got && got != PLOT_NO_GNUPLOT, start);
+        const bool failed = got && got != PLOT_NO_GNUPLOT;
+        if (all) report_study(*s, &args->options, failed ? f.text : NULL, start);
         if (got == PLOT_NO_GNUPLOT)
             drawn = false;
         else if (got && (code == 0 || got == FAULT_INTERRUPTED)) {
