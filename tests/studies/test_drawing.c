@@ -1,6 +1,7 @@
 /* test_drawing.c: drawings on the page show what gnuplot drew: points and lines where they were, to
  * a tenth of a pixel; what nobody sees is left out, and all else is there. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
