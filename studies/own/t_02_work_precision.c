@@ -43,9 +43,10 @@ static const Ladder ladders[] = {
     {PLANE, .run = "ring", .cells = {8, 16, 32, 48, 64, 128}, .meshes = {4, 4, 3}, .fem = 6,
      .layouts = true, .moves = true},
     {PLANE, .run = "axis_mms", .cells = {8, 16, 32, 48, 64}, .meshes = {3, 3, 2}, .fem = 5},
-    {PLANE, .run = "sliding_block", .cells = {8, 16}, .meshes = {2, 2, 1}, .tried = true},
     {PLANE, .run = "vortex --set G=.1", .cells = {8, 16, 32, 48, 64}, .meshes = {3, 3, 2}, .fem = 5,
      .layouts = true},
+    /* a fifth of its time: a step is short beside the slide */
+    {PLANE, .run = "sliding_block --t-end .1", .cells = {8, 16}, .meshes = {2, 2, 1}, .tried = true},
 };
 enum { LADDERS = sizeof ladders / sizeof *ladders };
 
