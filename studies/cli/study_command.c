@@ -1,5 +1,6 @@
 /* study_command.c: `study` and `claims`: results made, judged and shown. */
 #define _GNU_SOURCE /* O_DIRECTORY */
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -34,6 +35,29 @@ static const Option study_options[] = {
     {NULL, NULL, NULL},
 };
 
+/* Figures are written W07-5, W07_5 or w07-5. */
+static bool is_figure(const char *figure, const char *text)
+{
+    for (; *figure && *text; figure++, text++)
+        if (tolower((unsigned char)*figure) != tolower((unsigned char)*text) &&
+            !(*figure == '-' && *text == '_'))
+            return false;
+    return !*figure && !*text;
+}
+
+const char *study_meant(const char *text)
+{
+    const char *meant = NULL;
+    int n = 0;
+    for (const Study *const *s = studies; *s; s++) {
+        if (is_figure((*s)->figure, text)) return (*s)->name;
+        if (strncmp((*s)->name, text, strlen(text)) != 0) continue;
+        meant = (*s)->name;
+        n++;
+    }
+    return n == 1 ? meant : NULL;
+}
+
 const Study *study_named(const char *name, Fault *fault)
 {
     const char *names[128] = {"all"};
@@ -42,7 +66,8 @@ const Study *study_named(const char *name, Fault *fault)
         if (strcmp((*s)->name, name) == 0) return *s;
         names[n++] = (*s)->name;
     }
-    option_refuse(fault, "NAME", name, "a study or all", names, n);
+    const char *meant = study_meant(name);
+    option_refuse(fault, "NAME", name, "a study or all", meant ? &meant : names, meant ? 1 : n);
     return NULL;
 }
 
@@ -222,6 +247,8 @@ static int claims(int argc, char **argv, Fault *fault)
     Check check = {0};
     int width = 0, failed = 0;
     int code = options_read(argc, argv, claims_options, take_claims, &out, fault);
+    if (code == 0 && out != default_out && access(out, F_OK) != 0)
+        code = option_refuse(fault, "--out", out, "a folder that is there", NULL, 0);
     if (code == 0) code = file_make_folder(out, fault);
     if (code == 0) code = publish(&check, true, out, fault);
     for (int k = 0; k < check.n; k++) {
