@@ -69,7 +69,7 @@ static void check(Check *c, const Results *r)
         c, "H-14.whole-step",
         "Free fall with a whole first step (usl, usf), every method, is g t dt/2 too far: largest "
         "departure of an error from that, over it",
-        worst(r->rows, NULL, WHOLE, INTEGRATORS), 0, 0.01);
+        worst(r->rows, NULL, WHOLE, INTEGRATORS), 0, 1e-9);
 }
 
 const Study study_h_14_fall = {
