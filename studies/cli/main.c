@@ -70,6 +70,10 @@ static int dispatch(int argc, char **argv, Fault *fault)
 {
     if (argc < 2)
         return fault_set(fault, FAULT_USAGE, "COMMAND: got nothing, takes one of those in --help");
+    static const char *const alone[] = {"--man", "--completion", "--version"};
+    for (int k = 0; k < 3 && argc > 2; k++)
+        if (strcmp(argv[1], alone[k]) == 0)
+            return option_refuse(fault, "argument", argv[2], "nothing behind this option", NULL, 0);
     if (print_self_description(argv[1])) return 0;
     if (strcmp(argv[1], "help") == 0) return help(argc - 1, argv + 1, fault);
     const Command *c = command_named(argv[1], fault);

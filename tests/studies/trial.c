@@ -256,3 +256,12 @@ void trial_clear(const char *dir)
 {
     each_file(dir, remove_file);
 }
+
+bool trial_is_one(const char *name, const char *const list[])
+{
+    for (; *list; list++) {
+        const size_t n = strlen(*list);
+        if (strncmp(name, *list, n) == 0 && ((*list)[n - 1] == '.' || !name[n])) return true;
+    }
+    return false;
+}

@@ -22,6 +22,10 @@ void trial_files(const Cases *cases);
 /* Leaves the header of every .csv in dir alone. */
 void trial_empty(const char *dir);
 
+/* Is the name in a list, which ends with NULL? What ends in a point there stands for all names that
+ * begin so. */
+bool trial_is_one(const char *name, const char *const list[]);
+
 /* Deletes what is in dir. */
 void trial_clear(const char *dir);
 
