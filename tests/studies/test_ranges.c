@@ -27,7 +27,7 @@ static const char *const keys[] = {
     "station", "norm",    "depth",  "place",    "amplitude", "refresh", "default", "pair",
     "line",    "runs",    "meshes", "mass",     "case",      "grading", "nodes",   "at",
     "periods", "step",    "nu",     "offset_x", "target",    "weight",  "Fyy",     "pixels",
-    "fill",    "trigger", "ratio",  "jitter",   "strain",    NULL};
+    "fill",    "trigger", "ratio",  "jitter",   "strain",    "Z",       NULL};
 
 static bool is_one(const char *name, const char *const list[])
 {

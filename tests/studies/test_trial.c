@@ -45,6 +45,7 @@ static const char *const no_table[] = {"W11-2.masks", "W11-2.smooth",   "W11-3.c
                                        "T-9.cases",   "T-9.complement", NULL};
 /* That no run is lost (or what one is worth that is): one that is must tell. */
 static const char *const none_lost[] = {"T-12.wls2",
+                                        "T-18d.lost",
                                         "W07-12.gimp-lost",
                                         "W07-12.ge-gimp-lost",
                                         "W11-6.cell-size",

@@ -170,6 +170,24 @@ static void points(FILE *f, const Case *c)
     for (; reference && n < 2 * quads; n++) point(f, c, 0.7, 0.7);
 }
 
+/* In space: points of the section z = 0 of a shell; of a cube, in fives, on a small part of its
+ * cavity. F = 1 and a little, so that directions are those of the reference. */
+static void space_points(FILE *f, const Case *c)
+{
+    fputs("X,Y,Z,x,y,z,Fxx,Fxy,Fxz,Fyx,Fyy,Fyz,Fzx,Fzy,Fzz,sxx,sxy,sxz,syy,syz,szz,surface\n", f);
+    for (int k = 0; k < 250; k++) {
+        const bool shell = is(c, "shell");
+        const double a = shell ? M_PI / 2 * spread(k) : 0.7 + 0.05 * spread(k / 5);
+        const double b = shell ? 0 : 0.7 + 0.05 * spread(k / 5 + 7);
+        const double R = shell ? 0.5 + 0.5 * spread(k + 3) : 0.5 + 0.01 * spread(k / 5 + 3);
+        const double X[3] = {R * cos(a), R * sin(a) * cos(b), R * sin(a) * sin(b)};
+        for (int move = 0; move < 2; move++)
+            for (int d = 0; d < 3; d++) fprintf(f, "%.8g,", X[d] * (1 + 0.1 * move));
+        fprintf(f, "1.1,0,0,0,%g,0,0,0,1.1,%.8g,0,0,%.8g,0,%.8g,0\n", 1 + 0.1 * spread(k), 5e8 + k,
+                4e8 - k, 3e8 + c->spec.cells);
+    }
+}
+
 static void errors(FILE *f, const Case *c)
 {
     const double h = 1 / c->spec.cells, apart = is_fem(c) ? h : h / 2, shift = is_fem(c) ? 0 : 0.5;
@@ -211,7 +229,8 @@ void trial_files(const Cases *cases)
         FILE *f = fopen(c->file, "w");
         CU_ASSERT_PTR_NOT_NULL_FATAL(f);
         if (c->spec.history) history(f, c);
-        if (c->spec.particles || c->spec.samples) points(f, c);
+        const bool in_space = is(c, "shell") || is(c, "cavity");
+        if (c->spec.particles || c->spec.samples) (in_space ? space_points : points)(f, c);
         if (c->spec.errors) errors(f, c);
         if (c->spec.nodes) nodes(f, c);
         if (c->spec.patches) patches(f, c);
