@@ -2,7 +2,8 @@
 tall = 0.7
 load plots.'/style.gp'
 set logscale y
-set yrange [3e-3:3e-2]
+set yrange [4e-3:2.5e-2]
+set ytics (0.004, 0.006, 0.01, 0.015, 0.02)
 set xrange [0.5:6.5]
 set xtics 1
 set xlabel 'place: a random offset and turn of the whole shell'
