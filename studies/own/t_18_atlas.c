@@ -245,11 +245,12 @@ static void check(Check *c, const Results *r)
     for (const Info *const *i = engine_3d.methods; *i; i++)
         methods += !(*i)->on_request && engine_has_grid(&engine_3d, (*i)->name);
     check_forces(c, results_part(r, "found"));
-    claim_differs(c, "T-18e.h5-tent",
-                  "Corner .01 h inside a cell in 3D, MPM: the critical step is sqrt(2 eps/h) h/c, "
-                  "as in the plane: largest stable step of six, over that",
-                  stable(t, 0), 0.9, 1, 0.8, 0.8,
-                  "between .8 and .9 of it: three small lengths meet in the corner");
+    claim_differs(
+        c, "T-18e.h5-tent",
+        "Corner .01 h inside a cell in 3D, MPM: the critical step is sqrt(2 eps/h) h/c, "
+        "as in the plane: largest stable step of six, over that",
+        stable(t, 0), 0.9, 1, 0.8, 0.8,
+        "stable at .8 of it, not at .95 (cd, eps = .01 h); the reason was not looked for");
     claim(c, "T-18e.h5-gimp",
           "Corner .01 h inside a cell in 3D, GIMP: largest stable step of six [h/c]", stable(t, 1),
           0.5, 0.5);

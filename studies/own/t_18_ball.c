@@ -87,7 +87,7 @@ static void check(Check *c, const Results *r)
                   "Ball, WLS: no jumps, as of the disk: largest change of the total energy in one "
                   "step over E0",
                   bounce(r, "wls").jump, 0, 0.003, 0.003, 0.007,
-                  ".0047 when the ball meets the wall; GE-WLS stays below .003");
+                  ".0047 at N = 24; GE-WLS stays below .003");
     claim(c, "T-18c.smooth-ge_wls",
           "Ball, GE-WLS: no jumps: largest change of the total energy in one step over E0",
           bounce(r, "ge_wls").jump, 0, 0.003);
