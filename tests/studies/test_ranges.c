@@ -27,7 +27,7 @@ static const char *const keys[] = {
     "station", "norm",    "depth",  "place",    "amplitude", "refresh", "default", "pair",
     "line",    "runs",    "meshes", "mass",     "case",      "grading", "nodes",   "at",
     "periods", "step",    "nu",     "offset_x", "target",    "weight",  "Fyy",     "pixels",
-    "fill",    "trigger", "ratio",  "jitter",   "strain",    NULL};
+    "fill",    "trigger", "ratio",  "jitter",   "strain",    "Z",       NULL};
 
 /* How a number of a table changes: times a factor, times 10 to a power of the file's own and to one
  * of the number's own, both between -scatter and scatter; then more is added. */

@@ -44,6 +44,7 @@ static const char *const no_table[] = {"W11-2.masks", "W11-2.smooth",   "W11-3.c
                                        "T-9.cases",   "T-9.complement", NULL};
 /* That no run is lost (or what one is worth that is): one that is must tell. */
 static const char *const none_lost[] = {"T-12.wls2",
+                                        "T-18d.lost",
                                         "W07-12.gimp-lost",
                                         "W07-12.ge-gimp-lost",
                                         "W11-6.cell-size",
@@ -69,6 +70,9 @@ static const char *const none_lost[] = {"T-12.wls2",
 /* That some runs are lost, or where that begins; or the best of many runs, or of those not lost,
  * of which there must be so many. */
 static const char *const some_lost[] = {"T-8.ge-wls-time",
+                                        "T-18e.h5-tent",
+                                        "T-18e.h5-gimp",
+                                        "T-18e.h5-ge_wls",
                                         "T-8.ge-wls-steps",
                                         "T-12.determinant",
                                         "T-12.count",
