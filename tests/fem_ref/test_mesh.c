@@ -140,6 +140,7 @@ static void test_too_many(void)
     Fault fault = {0};
     shapes(shape);
     for (int s = 0; s < SHAPES; s++) {
+        check_context(DIM, shape[s].name, "fem", "cd", "cells 1e8");
         Setup setup = {
             .scene = &shape[s].scene, .cells = 100000000, .integrator = CD, .threads = 1};
         CU_ASSERT_PTR_NULL(fem_new(&setup, &fault));
