@@ -8,7 +8,8 @@
 #include "sim.h"
 #include "skin.h"
 
-/* How far half widths may grow before they are capped: stretch 4, or one cell and a half. */
+/* Cap of half widths [cells]: a stretch of 4, at least 1.5 cells; of general weights, the widest.
+ */
 static double widest_half(double half, bool list)
 {
     const double most = (MAX_WIDTH - 5) / 2.0;
@@ -52,7 +53,7 @@ static bool has_moving_walls(const Scene *scene)
     return false;
 }
 
-/* Grid nodes start as untouched zero pages: only live spans ever cost memory. */
+/* Nodes are allocated and not touched here: only live spans ever cost memory. */
 static bool grid_alloc(Sim *sim)
 {
     Grid *g = &sim->g;
@@ -114,8 +115,7 @@ static bool particles_alloc(Sim *sim)
     return ok;
 }
 
-/* Bytes that a scene will need, before anything is allocated; doubles, so that nothing overflows.
- */
+/* Estimate of the bytes that a run needs, before any is allocated; a double cannot overflow. */
 static double bytes_needed(const Sim *sim, double particles)
 {
     const Scene *scene = sim->setup->scene;
@@ -191,7 +191,7 @@ static void fill_particles(Sim *sim, const Layout *layout)
     sim->mass_body = ON_NODE * mean;
 }
 
-/* Initial state: x = X + u, and v, F, L as the scene says. */
+/* Initial state: x = X + u; u, v, F, L from Problem.start. */
 static bool start_particles(Sim *sim)
 {
     Particles *p = &sim->p;

@@ -1,4 +1,4 @@
-/* engine.c: this dimension as the program sees it: the one symbol that stays visible. */
+/* engine.c: this dimension's Engine, the one symbol that stays visible after linking. */
 #include <math.h>
 #include <string.h>
 #include "settings.h"
