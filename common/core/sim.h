@@ -127,7 +127,13 @@ typedef struct Sim {
 Sim *sim_new(const Setup *setup, Fault *fault);
 void sim_free(Sim *sim);
 
-/* Are order, spans and sizes consistent? For assertions and tests. */
+/* Memory [bytes] of a particle; of a live node, which is all that a grid takes: what no particle
+ * has touched stays untouched pages. Setup and method must be set, and the scene where it has body
+ * forces. */
+double sim_particle_bytes(const Sim *sim);
+double sim_node_bytes(const Sim *sim);
+
+/* Are order, spans and sizes consistent? For assertions and tests; sort.c. */
 bool sim_is_valid(const Sim *sim);
 
 /* Fills the method's own fields from x and F, and finds the widest half width. */

@@ -166,3 +166,19 @@ void sim_sort(Sim *sim)
     sim->travel = 0;
     if (first && sim->method.moments) gather_start_moments(sim);
 }
+
+bool sim_is_valid(const Sim *sim)
+{
+    const Particles *p = &sim->p;
+    int real = 0;
+    if (p->n % CHUNK || p->n > p->room) return false;
+    for (int k = 0; k < p->n; k++) {
+        real += p->id[k] >= 0;
+        if (p->id[k] < 0 && p->field[AT_M][k] > 0) return false;
+    }
+    for (int b = 1; b < sim->nblock; b++)
+        if (sim->block[b].first != sim->block[b - 1].last) return false;
+    for (int r = 0; r < sim->g.rows; r++)
+        if (sim->g.hi[r] > sim->g.n[0] || (sim->g.hi[r] > 0 && sim->g.lo[r] < 0)) return false;
+    return real == p->count;
+}
