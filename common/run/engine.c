@@ -2,7 +2,6 @@
 #include <math.h>
 #include <string.h>
 #include "settings.h"
-#include "common/core/sim.h"
 #include "common/core/step.h"
 
 static int resolve(RunSpec *spec, Fault *fault)
