@@ -16,8 +16,7 @@ typedef struct Raster {
     unsigned mirrors; /* bit d: x_d = 0 is a plane of symmetry */
 } Raster;
 
-/* Grey at x [m], from 0 to 1. */
-double raster_grey(const Raster *r, const Vec x);
+/* Is the place x [m] in the body? */
 bool raster_is_in(const Raster *r, const Vec x);
 
 /* Add particles at the places (i + 1/2) spacing that are in the body; surface points where lines of
