@@ -184,7 +184,7 @@ typedef struct Method {
     void (*assemble)(struct Sim *sim, double t, bool force);
     void (*repair)(struct Sim *sim, double dt);
 
-    /* Calls `visit` for each polygon that the last `assemble` integrated over; or NULL. */
+    /* Shows the polygons that the last `assemble` integrated over, for output; or NULL. */
     void (*patches)(const struct Sim *sim, PatchVisit *visit, void *own);
 
     /* Unit outward normal of the body's surface near a node, by the last `assemble`; false: no

@@ -71,7 +71,7 @@ static void make_kernel(const double x[], int cells, int origin, Kernel *out)
         }
 }
 
-/* Multiplies beta (eq 13) into the tents of axis 0; padding gets weight 0. */
+/* beta of eq 13 rides on the tents of axis 0; padding has no weight at all. */
 static void weigh(const Wls *w, const Chunk *c, Kernel *kernel)
 {
     Field real, beta;
@@ -86,7 +86,7 @@ static void weigh(const Wls *w, const Chunk *c, Kernel *kernel)
         }
 }
 
-/* f_ext = rho b, sigma = T/J; of a law whose T is not symmetric, the symmetric part. */
+/* f_ext = rho b, sigma = T/J; a law whose T is not symmetric gives half of both. */
 static void load_forces(const Sim *sim, const Chunk *c, double t, const Field rho, Deposit *w)
 {
     const double half = 0.5 / sim->setup->scene->mat.rho;

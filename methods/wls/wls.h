@@ -13,8 +13,8 @@
  *   wls/velocity.c  velocities that get back what fit and return filter
  *   wls/spread.c    forces of spurious nodes to their neighbours
  *   wls/nodes.c     spurious nodes and nodes without mass (3.5, 4.5)
- *   wls/step.c      the order of all these; workspace
  *   wls/patches.c   cells as polygons, for output
+ *   wls/step.c      their order, workspace
  *
  * Momentum. Forces are integrals over cells, with sum_i G_i = 0 at every point: on the grid
  * internal forces and the reactions at walls sum to zero. Particles receive dt sum_i M_i a_i with

@@ -14,8 +14,8 @@
 
 static const char dir[] = "scratch/trial";
 
-/* Lists of claim ids; an id that ends in a point stands for all that begin with it. formulas:
- * claims that need no run. */
+/* Lists of claims; what ends in a point stands for all that begin so. Of formulas: no run needed.
+ */
 static const char *const formulas[] = {"W07-2.",
                                        "T-9.cases",
                                        "T-9.complement",
