@@ -87,7 +87,7 @@ static void say_integrators(unsigned set, const char *more, FILE *out)
 static void say_memory(const Method *m, FILE *out)
 {
     if (!m) return;
-    const Setup setup = {.method = m, .integrator = m->integrator[DIM]};
+    const Setup setup = {.method = m, .integrator = (Integrator)m->integrator[DIM]};
     const Sim sim = {.setup = &setup, .method = *m};
     fprintf(out, "memory\t%g\tbytes\tper particle in %dD\n", sim_particle_bytes(&sim), DIM);
     fprintf(out, "memory\t%g\tbytes\tper live node in %dD\n", sim_node_bytes(&sim), DIM);
