@@ -242,7 +242,7 @@ static void check(Check *c, const Results *r)
                   "Cantilever, nu = .499: linear triangles lock worst: FEM's displacement over the "
                   "least of the particle methods",
                   measure_ratio(value(t, BEAM, "fem", "0.499", "ratio"), ratio), 0, 1, 1.2, 100,
-                  "triangles of alternating diagonals keep .83; tents over four particles a cell "
+                  "triangles of alternating diagonals keep .83; tents over four particles per cell "
                   "keep least");
     claim(c, "H-4.beam-gimp",
           "Cantilever: GIMP locks: its displacement at nu = .499 over the reference's",

@@ -1,6 +1,6 @@
 /* h_05_small_mass.c: a node that a body hardly touches: how small does it make the time step?
  *
- * A free bar (2D: square), two particles a cell and axis, in slow uniform motion with a weak
+ * A free bar (2D: square), two particles per cell and axis, in slow uniform motion with a weak
  * oscillation (strains of 3e-8); its ends reach eps into otherwise empty cells. What
  * reaches so far is the last particle itself (tents), the edge of its box (GIMP; WLS's free
  * surface), or the support of a spline, half a cell further: the body is placed in each of these

@@ -1,8 +1,8 @@
 /* h_08_spin.c: hard cases H-8a and H-8b: large rotation.
  *
  * (a) Ten turns of v = w x r, imposed, without stress. F += dt L F takes F to (I + dt W) F, whose
- * determinant grows by 1 + (w dt)^2 a step: J = exp(2 pi w dt) a turn; so does the area that the
- * particles' positions enclose. At a quarter turn the half width l0 |F_xx| of boxes vanishes.
+ * determinant grows by 1 + (w dt)^2 per step: J = exp(2 pi w dt) per turn; so does the area that
+ * the particles' positions enclose. At a quarter turn the half width l0 |F_xx| of boxes vanishes.
  *
  * (b) Ten turns of a free elastic block, by each method's usual scheme. Angular momentum is that
  * of the particles' motion about the centre of mass, without what APIC and TPIC keep in L. */

@@ -242,16 +242,16 @@ static void check_disks(Check *c, const Results *r)
                   "velocities does not conserve momentum");
     claim_differs(
         c, "H-16.disks-gimp",
-        "Two disks, GIMP at h = 1/64, 4 particles a cell: energy at the end over the start",
+        "Two disks, GIMP at h = 1/64, 4 particles per cell: energy at the end over the start",
         energy_back(r, "gimp"), 0.97, 1.03, 0.955, 0.97,
         "a quarter of the loss comes while the nodes meet, where each loses the energy of its "
         "approach; the rest is GIMP's own in disks that vibrate, as in the disk that hits walls "
         "(W11-8): with one velocity field for both the energy is .977");
     claim(c, "H-16.disks-ge_gimp",
-          "Two disks, GE-GIMP at h = 1/64, 4 particles a cell: energy at the end over the start",
+          "Two disks, GE-GIMP at h = 1/64, 4 particles per cell: energy at the end over the start",
           energy_back(r, "ge_gimp"), 0.97, 1.03);
     claim(c, "H-16.disks-fine",
-          "Two disks, GIMP at h = 1/64, 25 particles a cell: energy at the end over the start",
+          "Two disks, GIMP at h = 1/64, 25 particles per cell: energy at the end over the start",
           energy_back(r, "gimp_fine"), 0.97, 1.03);
     claim(c, "H-16.disks-none",
           "Two disks, GIMP, one velocity field for both: energy at the end over the start",

@@ -130,7 +130,7 @@ static Measure ended_as(const Table *rows, int method, const char *status)
     return n;
 }
 
-/* Largest over median error of a method after one period, all numbers of particles from 1 a cell.
+/* Largest over median error of a method after one period, all numbers of particles from 1 per cell.
  */
 static Measure unevenness(const Table *rows, int method)
 {

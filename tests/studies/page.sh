@@ -85,7 +85,7 @@ look() {
         "$(js '(l => l.length - new Set(l).size)(Array.from(document.querySelectorAll(\"[id]\")).map(e => e.id))')" 0
     ok "$name at $width: links within the page lead somewhere" \
         "$(js 'Array.from(document.querySelectorAll(\"a[href^=\\\"#\\\"]\")).filter(a => !document.getElementById(a.hash.slice(1)) && !a.closest(\"tr[data-verdict=NOT_RUN]\")).length')" 0
-    ok "$name at $width: stability: a row a method, with marks" \
+    ok "$name at $width: stability: a row per method, with marks" \
         "$(js '(t => t.length > 8 && t.every(r => r.cells.length === 5 && r.querySelectorAll(\"a.m.ok,a.m.weak,a.m.lost\").length > 0 && r.cells[2].textContent))(Array.from(document.querySelectorAll(\"#hard tbody tr\")))')" true
     ok "$name at $width: stability: a method breaks where it is said to" \
         "$(js '(r => r.cells[2].textContent.startsWith(r.querySelector(\"a.m.lost\").textContent.split(\" \")[0]))(Array.from(document.querySelectorAll(\"#hard tbody tr\")).find(r => r.querySelector(\"a.m.lost\")))')" true

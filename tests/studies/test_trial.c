@@ -39,10 +39,11 @@ static const char *const formulas[] = {"W07-2.",
                                        "T-17.order-wls",
                                        "T-17.program",
                                        NULL};
-/* Formulas that are in no table either. */
+/* Those of them that read no table either. */
 static const char *const no_table[] = {"W11-2.masks", "W11-2.smooth",   "W11-3.circular",
                                        "T-9.cases",   "T-9.complement", NULL};
-/* That no run is lost (or what one is worth that is): one that is must tell. */
+/* Claims that no run is lost, or on the value of a lost run: one lost run must change their number.
+ */
 static const char *const none_lost[] = {"T-12.wls2",
                                         "T-18d.lost",
                                         "W07-12.gimp-lost",
@@ -67,8 +68,8 @@ static const char *const none_lost[] = {"T-12.wls2",
                                         "H-15.bar-wls",
                                         "H-2.wls",
                                         NULL};
-/* That some runs are lost, or where that begins; or the best of many runs, or of those not lost,
- * of which there must be so many. */
+/* Claims that some runs are lost, or from where on; or on the best of many runs, or on those not
+ * lost, of which a least number is required. */
 static const char *const some_lost[] = {"T-8.ge-wls-time",
                                         "T-18e.h5-tent",
                                         "T-18e.h5-gimp",
@@ -102,7 +103,7 @@ static const char *const some_lost[] = {"T-8.ge-wls-time",
                                         "T-4.",
                                         "H-5.",
                                         NULL};
-/* Those of them that say that all are. */
+/* Those of some_lost that say that all runs are lost. */
 static const char *const all_lost[] = {"W07-12.mpm-ok-5", "W07-12.ge-mpm-unstable",
                                        "T-1.literal",     "T-4.stale",
                                        "T-5.stale",       "T-5.plane-stale",
