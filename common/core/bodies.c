@@ -119,7 +119,7 @@ void bodies_counts(const Bodies *b, Counts *counts)
         counts->surface += sim->surface;
         counts->nodes += sim->nodes;
         counts->moved |= sim->moved;
-        if (sim->method.assemble)
+        if (sim->method.assemble || sim->method.integrate)
             counts->fallbacks = (counts->fallbacks > 0 ? counts->fallbacks : 0) + sim->fallbacks;
     }
     if (counts->nodes == 0) counts->nodes = -1;

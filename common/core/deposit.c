@@ -65,7 +65,7 @@ static void chunk_stress(const Sim *sim, const Chunk *c, bool force, Field T[NMA
 {
     Field weight;
     for (int p = 0; p < CHUNK; p++) weight[p] = c->V0[p] * sim->g.cells;
-    if (force)
+    if (force && !sim->method.integrate)
         material_kirchhoff_weighted(&sim->setup->scene->mat, (const double *const *)c->F, weight,
                                     T);
     else
@@ -196,7 +196,9 @@ void deposit_all(Sim *sim, double t, Deposit what)
         sim->method.assemble(sim, t, what == FORCES);
         return;
     }
-    if (!deposit_blocks(sim, t, what, ALL) || what == ROUND) return;
+    const bool on_node = deposit_blocks(sim, t, what, ALL);
+    if (what == FORCES && sim->method.integrate) sim->method.integrate(sim);
+    if (!on_node || what == ROUND) return;
     on_node_mark_body(sim);
     if (what == FORCES) deposit_blocks(sim, t, what, ON_NODES);
 }
