@@ -57,6 +57,7 @@ typedef struct Chunk {
     const double *normal[DIM]; /* reference normals of surface points, or NULL */
     const int *id;
     double *const *own;          /* use own_field() */
+    double *strength, *lost;     /* of scenes whose matter breaks, or NULL */
     const struct NodeList *list; /* in `update`: general weights as they were gathered, or NULL */
     size_t first;
 } Chunk;

@@ -102,7 +102,7 @@ void bodies_view(const Bodies *b, Points *points, Samples *samples)
         points->x[d] = field[AT_X + d];
         points->v[d] = field[AT_V + d];
     }
-    *samples = (Samples){.n = n, .V0 = field[AT_VOL]};
+    *samples = (Samples){.n = n, .V0 = field[AT_VOL], .strength = field[AT_STRENGTH]};
     for (int k = 0; k < NMAT; k++) samples->F[k] = field[AT_F + k];
 }
 

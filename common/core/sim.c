@@ -18,6 +18,7 @@ static double widest_half(double half, bool list)
 static bool field_used(const Sim *sim, int field)
 {
     if (field >= AT_OWN) return field - AT_OWN < sim_own_count(&sim->method);
+    if (field >= AT_STRENGTH) return sim->setup->scene->problem->strength != NULL;
     if (field >= AT_N) return sim->method.surface;
     if (field >= AT_W) return sim->method.filter;
     if (field >= AT_U) return sim->setup->integrator == MUSL;
@@ -210,6 +211,10 @@ static bool start_particles(Sim *sim)
                               p->field + AT_X, p->field + AT_V, p->field + AT_F, l);
     for (int d = 0; d < DIM; d++)
         for (int s = 0; s < p->n; s++) p->field[AT_X + d][s] += p->field[AT_X0 + d][s];
+    for (int s = 0; p->field[AT_LOST] && s < p->n; s++) p->field[AT_LOST][s] = 0;
+    if (p->field[AT_STRENGTH])
+        scene->problem->strength(scene, p->n, (const double *const *)(p->field + AT_X0),
+                                 p->field[AT_STRENGTH]);
     if (sim->total && p->field[AT_L]) sim_refer_gradient(p);
     free(L);
     return true;

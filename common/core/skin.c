@@ -10,6 +10,7 @@
  * about it, so that a uniform stress balances its traction exactly. */
 #include "skin.h"
 #include <stdlib.h>
+#include <string.h>
 #include "common/contract/layout.h"
 #include "sim.h"
 
@@ -102,6 +103,13 @@ void skin_stash(Skin *skin, Stash *s)
     if (!stash_same(s, skin ? skin->n : 0) || !skin) return;
     stash_bytes(s, skin->memory, sizeof(double) * skin->numbers);
     STASH(s, skin->work);
+}
+
+void skin_take_over(Skin *to, const Skin *from)
+{
+    if (!to) return;
+    memcpy(to->memory, from->memory, sizeof(double) * to->numbers);
+    to->work = from->work;
 }
 
 double skin_work(const Skin *skin)

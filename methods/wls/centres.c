@@ -140,8 +140,7 @@ void wls_repair_centres(Sim *sim, double dt)
     wls_deposit(sim, w, 0, false);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
-            set_velocities(sim, w, row);
+        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0)) set_velocities(sim, w, row);
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
             sim->fallbacks += w->fallbacks[row];

@@ -106,7 +106,8 @@ static void load_forces(const Sim *sim, const Chunk *c, double t, const Field rh
     sim_stress(sim, c, w->T);
     if (body) sim_body(sim, c, t, w->body);
     for (int a = 0; a < DIM; a++) {
-        for (int p = 0; body && p < CHUNK; p++) w->quantity[Q_FORCE + a][p] = rho[p] * w->body[a][p];
+        for (int p = 0; body && p < CHUNK; p++)
+            w->quantity[Q_FORCE + a][p] = rho[p] * w->body[a][p];
         for (int b = a; b < DIM; b++) {
             const int lane = Q_SIGMA + pair(a, b), ab = a * DIM + b, ba = b * DIM + a;
             for (int p = 0; p < CHUNK; p++)

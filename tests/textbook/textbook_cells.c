@@ -93,8 +93,8 @@ static void values(const Twin *w, const TwinFit *fit, double out[SAMPLES])
 {
     TwinFit plane = *fit;
     const double total = fit->M[0][0];
-    const bool good = fit->most > w->setup->method_par[0] &&
-                      eliminate(&plane) > 1e-10 * pow(total, DIM + 1);
+    const bool good =
+        fit->most > w->setup->method_par[0] && eliminate(&plane) > 1e-10 * pow(total, DIM + 1);
     for (int s = 0; s < SAMPLES; s++)
         out[s] = good ? plane.load[0][s] : total > 0 ? fit->load[0][s] / total : 0;
 }
