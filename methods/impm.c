@@ -10,11 +10,13 @@
  * be chosen). Masses and body forces are the particles' own, m_i = sum m_p S_ip. Cells that the
  * body fills in part have the share of centres.c. S, from nodes to particles and for m_i, is the
  * quadratic spline folded at walls: with tents nodes of such cells would have forces and no mass.
- * A node (cell) with no particle nearer than the trigger weight has a mean, as in W11 3.5. */
+ * Nodes (cells) with no particle nearer than the trigger weight are spurious, as in W11 3.5: their
+ * velocities are extrapolated from the planes about them (their stresses are a mean). With planes
+ * of their own, trigger=0, free surfaces are unstable. */
 #include "methods/wls/params.h"
 
 static const Param params[] = {{"trigger", IN_THIS_DIM(0.25, 0.25, 0.125), 0, 0.5625, "",
-                                "nodes and cells whose largest weight is less have a mean", "",
+                                "nodes and cells whose largest weight is less are spurious", "",
                                 NULL},
                                {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
 

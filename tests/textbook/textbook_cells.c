@@ -18,6 +18,8 @@ bool twin_make_fits(Twin *w)
     return w->fit;
 }
 
+static const double here[DIM] = {0};
+
 /* W11 eq 4 */
 static double weight(double r)
 {
@@ -84,19 +86,43 @@ static double eliminate(TwinFit *fit)
             for (int s = 0; s < SAMPLES && i != k; s++) fit->load[i][s] -= factor * fit->load[k][s];
         }
     }
-    for (int s = 0; s < SAMPLES; s++) fit->load[0][s] /= fit->M[0][0];
+    for (int k = 0; k <= DIM; k++)
+        for (int s = 0; s < SAMPLES; s++) fit->load[k][s] /= fit->M[k][k];
     return det;
 }
 
-/* Values in the middle: the plane's, or the mean where there is none. */
-static void values(const Twin *w, const TwinFit *fit, double out[SAMPLES])
+/* Values at r [cells]: the plane's, or the mean where there is none. Returns whether a
+ * particle is near. */
+static bool values(const Twin *w, const TwinFit *fit, const double r[DIM], double out[SAMPLES])
 {
     TwinFit plane = *fit;
     const double total = fit->M[0][0];
-    const bool good =
-        fit->most > w->setup->method_par[0] && eliminate(&plane) > 1e-10 * pow(total, DIM + 1);
-    for (int s = 0; s < SAMPLES; s++)
-        out[s] = good ? plane.load[0][s] : total > 0 ? fit->load[0][s] / total : 0;
+    const bool near = fit->most > w->setup->method_par[0];
+    const bool whole = near && eliminate(&plane) > 1e-10 * pow(total, DIM + 1);
+    for (int s = 0; s < SAMPLES; s++) {
+        out[s] = whole ? plane.load[0][s] : total > 0 ? fit->load[0][s] / total : 0;
+        for (int d = 0; d < DIM && whole; d++) out[s] += r[d] * plane.load[1 + d][s];
+    }
+    return near;
+}
+
+/* The mean of what the neighbours' planes say there, if any of them is good. */
+static void extrapolate(const Twin *w, long i, double value[SAMPLES])
+{
+    double sum[SAMPLES] = {0};
+    int n = 0;
+    for (int k = 0; k < (int)pow(3, DIM); k++) {
+        long at = i, stride = 1;
+        double r[DIM], own[SAMPLES];
+        for (int d = 0; d < DIM; stride *= w->size[d++]) {
+            r[d] = 1 - k / (int)pow(3, d) % 3;
+            at -= stride * lround(r[d]);
+        }
+        if (at == i || at < 0 || at >= w->nodes || !values(w, &w->fit[at], r, own)) continue;
+        for (int s = 0; s < SAMPLES; s++) sum[s] += own[s];
+        n++;
+    }
+    for (int s = 0; s < SAMPLES && n > 0; s++) value[s] = sum[s] / n;
 }
 
 void twin_fit_velocities(Twin *w)
@@ -104,7 +130,8 @@ void twin_fit_velocities(Twin *w)
     double value[SAMPLES];
     fit_all(w, 0, false);
     for (long i = 0; i < w->nodes; i++) {
-        values(w, &w->fit[i], value);
+        if (!(w->node[i].m > 0)) continue;
+        if (!values(w, &w->fit[i], here, value)) extrapolate(w, i, value);
         for (int a = 0; a < DIM; a++) w->node[i].p[a] = w->node[i].m * value[V + a];
     }
 }
@@ -127,7 +154,7 @@ void twin_add_cell_forces(Twin *w)
     for (long i = 0; i < w->nodes; i++) {
         const double volume = share(w, i) * pow(w->h, DIM);
         if (!(volume > 0)) continue;
-        values(w, &w->fit[i], value);
+        values(w, &w->fit[i], here, value);
         for (int k = 0; k < 1 << DIM; k++) {
             long at = i, stride = 1;
             for (int d = 0; d < DIM; stride *= w->size[d++]) at += (k >> d & 1) * stride;
