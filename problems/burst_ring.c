@@ -64,8 +64,6 @@ const Problem problem_burst_ring = {
              .label = "Bursting ring",
              .about = "a ring that a pulse of pressure inside breaks: traction, tension cut-off",
              .source = "W11 section 6",
-             .formula = "P N = -p sin^2(pi c t/L) N inside, c t < L = 1 m; sigma_1 > strength: no "
-                        "tension from then on",
              .params = params},
     .cells = 32,
     .ppc = 4,

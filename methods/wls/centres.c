@@ -21,7 +21,7 @@ bool wls_make_centres(Sim *sim)
     Centres *c = sim->own = calloc(1, sizeof *c);
     if (!c) return false;
     c->node.trigger = c->cell.trigger = sim->setup->method_par[0];
-    c->cell.centres = c->node.extrapolate = true;
+    c->cell.centres = true;
     c->share = calloc(n, sizeof *c->share);
     if (!c->share || !wls_alloc(sim, &c->node) || !wls_alloc(sim, &c->cell)) return false;
     /* particles at the rim reach cells whose nodes are not live: written, but never read */
@@ -109,15 +109,7 @@ void wls_integrate_centres(Sim *sim)
     }
 }
 
-static void solve_nodes(const Sim *sim, Wls *w, int row)
-{
-    const Grid *g = &sim->g;
-    for (int i = g->lo[row]; i < g->hi[row]; i++)
-        wls_solve_node(w, (size_t)row * (size_t)g->n[0] + (size_t)i);
-}
-
-/* Momentum of the fitted velocity; of spurious nodes, which are counted, of the good neighbours'.
- */
+/* Momentum of the fitted velocity, or of the mean of spurious nodes, which are counted. */
 static void set_velocities(Sim *sim, Wls *w, int row)
 {
     const Grid *g = &sim->g;
@@ -125,15 +117,13 @@ static void set_velocities(Sim *sim, Wls *w, int row)
     w->fallbacks[row] = 0;
     wls_index_of(g, row, 0, index);
     for (index[0] = g->lo[row]; index[0] < g->hi[row]; index[0]++) {
-        double sign[DIM], v[DIM];
+        double sign[DIM];
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)index[0];
         Line *node = &g->node[at];
         if (!((*node)[0] > sim->mass_cut)) continue;
         if (g->nmirror && mirror_image(g, index, sign) != at) continue; /* a ghost */
-        for (int a = 0; a < DIM; a++) v[a] = w->fit[at][FIT_VALUE][Q_V + a];
-        if (!w->good[at]) wls_velocity_at(sim, index, v);
-        w->fallbacks[row] += !w->good[at];
-        for (int a = 0; a < DIM; a++) (*node)[1 + a] = (*node)[0] * v[a];
+        w->fallbacks[row] += !wls_solve_node(w, at);
+        for (int a = 0; a < DIM; a++) (*node)[1 + a] = (*node)[0] * w->fit[at][FIT_VALUE][Q_V + a];
     }
 }
 
@@ -143,16 +133,9 @@ void wls_repair_centres(Sim *sim, double dt)
     Wls *w = &((Centres *)sim->own)->node;
     (void)dt;
     wls_deposit(sim, w, 0, false);
-#pragma omp parallel num_threads(sim->setup->threads)
-    {
-#pragma omp for schedule(static)
-        for (int row = 0; row < g->rows; row++)
-            if (g->lo[row] < g->hi[row]) solve_nodes(sim, w, row);
-#pragma omp for schedule(static)
-        for (int row = 0; row < g->rows; row++)
-            if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
-                set_velocities(sim, w, row);
-    }
+#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
+    for (int row = 0; row < g->rows; row++)
+        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0)) set_velocities(sim, w, row);
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
             sim->fallbacks += w->fallbacks[row];

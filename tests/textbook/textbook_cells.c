@@ -18,8 +18,6 @@ bool twin_make_fits(Twin *w)
     return w->fit;
 }
 
-static const double here[DIM] = {0};
-
 /* W11 eq 4 */
 static double weight(double r)
 {
@@ -56,13 +54,15 @@ static void add_sample(Twin *w, const TwinParticle *p, bool force)
     for (int k = 0; k < (int)pow(4, DIM); k++) {
         long at = 0;
         double r[DIM];
+        bool inside = true; /* the grid, that a lost particle may have left */
         for (int d = DIM - 1; d >= 0; d--) {
             const double x = p->x[d] / w->h - w->shift;
             const int index = (int)floor(x) - 1 + k / (int)pow(4, d) % 4;
             r[d] = x - index;
+            inside &= index >= w->origin[d] && index < w->origin[d] + w->size[d];
             at = at * w->size[d] + index - w->origin[d];
         }
-        add_to(&w->fit[at], r, f, volume);
+        if (inside) add_to(&w->fit[at], r, f, volume);
     }
 }
 
@@ -91,38 +91,15 @@ static double eliminate(TwinFit *fit)
     return det;
 }
 
-/* Values at r [cells]: the plane's, or the mean where there is none. Returns whether a
- * particle is near. */
-static bool values(const Twin *w, const TwinFit *fit, const double r[DIM], double out[SAMPLES])
+/* Values in the middle: the plane's, or the mean where there is none. */
+static void values(const Twin *w, const TwinFit *fit, double out[SAMPLES])
 {
     TwinFit plane = *fit;
     const double total = fit->M[0][0];
-    const bool near = fit->most > w->setup->method_par[0];
-    const bool whole = near && eliminate(&plane) > 1e-10 * pow(total, DIM + 1);
-    for (int s = 0; s < SAMPLES; s++) {
+    const bool whole =
+        fit->most > w->setup->method_par[0] && eliminate(&plane) > 1e-10 * pow(total, DIM + 1);
+    for (int s = 0; s < SAMPLES; s++)
         out[s] = whole ? plane.load[0][s] : total > 0 ? fit->load[0][s] / total : 0;
-        for (int d = 0; d < DIM && whole; d++) out[s] += r[d] * plane.load[1 + d][s];
-    }
-    return near;
-}
-
-/* The mean of what the neighbours' planes say there, if any of them is good. */
-static void extrapolate(const Twin *w, long i, double value[SAMPLES])
-{
-    double sum[SAMPLES] = {0};
-    int n = 0;
-    for (int k = 0; k < (int)pow(3, DIM); k++) {
-        long at = i, stride = 1;
-        double r[DIM], own[SAMPLES];
-        for (int d = 0; d < DIM; stride *= w->size[d++]) {
-            r[d] = 1 - k / (int)pow(3, d) % 3;
-            at -= stride * lround(r[d]);
-        }
-        if (at == i || at < 0 || at >= w->nodes || !values(w, &w->fit[at], r, own)) continue;
-        for (int s = 0; s < SAMPLES; s++) sum[s] += own[s];
-        n++;
-    }
-    for (int s = 0; s < SAMPLES && n > 0; s++) value[s] = sum[s] / n;
 }
 
 void twin_fit_velocities(Twin *w)
@@ -131,7 +108,7 @@ void twin_fit_velocities(Twin *w)
     fit_all(w, 0, false);
     for (long i = 0; i < w->nodes; i++) {
         if (!(w->node[i].m > 0)) continue;
-        if (!values(w, &w->fit[i], here, value)) extrapolate(w, i, value);
+        values(w, &w->fit[i], value);
         for (int a = 0; a < DIM; a++) w->node[i].p[a] = w->node[i].m * value[V + a];
     }
 }
@@ -154,7 +131,7 @@ void twin_add_cell_forces(Twin *w)
     for (long i = 0; i < w->nodes; i++) {
         const double volume = share(w, i) * pow(w->h, DIM);
         if (!(volume > 0)) continue;
-        values(w, &w->fit[i], here, value);
+        values(w, &w->fit[i], value);
         for (int k = 0; k < 1 << DIM; k++) {
             long at = i, stride = 1;
             for (int d = 0; d < DIM; stride *= w->size[d++]) at += (k >> d & 1) * stride;
