@@ -15,7 +15,7 @@
  * inside, and not at the outermost nodes. */
 #include "methods/wls/params.h"
 
-static const Param params[] = {{"trigger", IN_THIS_DIM(0.25, 0.4, 0.25), 0, 0.5625, "",
+static const Param params[] = {{"trigger", IN_THIS_DIM(0.25, 0.4, 0.3), 0, 0.5625, "",
                                 "nodes and cells whose largest weight is less have a mean", "",
                                 NULL},
                                {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};
