@@ -52,6 +52,16 @@ void sim_stress(const Sim *sim, const Chunk *c, Field T[NMAT])
     take_tension(mat, c, T);
 }
 
+void sim_start_strength(Sim *sim)
+{
+    const Scene *scene = sim->setup->scene;
+    Particles *p = &sim->p;
+    if (!scene->problem->strength) return;
+    for (int s = 0; s < p->n; s++) p->field[AT_LOST][s] = 0;
+    scene->problem->strength(scene, p->n, (const double *const *)(p->field + AT_X0),
+                             p->field[AT_STRENGTH]);
+}
+
 double sim_lost(const Sim *sim)
 {
     const double *lost = sim->p.field[AT_LOST];

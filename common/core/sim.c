@@ -211,10 +211,7 @@ static bool start_particles(Sim *sim)
                               p->field + AT_X, p->field + AT_V, p->field + AT_F, l);
     for (int d = 0; d < DIM; d++)
         for (int s = 0; s < p->n; s++) p->field[AT_X + d][s] += p->field[AT_X0 + d][s];
-    for (int s = 0; p->field[AT_LOST] && s < p->n; s++) p->field[AT_LOST][s] = 0;
-    if (p->field[AT_STRENGTH])
-        scene->problem->strength(scene, p->n, (const double *const *)(p->field + AT_X0),
-                                 p->field[AT_STRENGTH]);
+    sim_start_strength(sim);
     if (sim->total && p->field[AT_L]) sim_refer_gradient(p);
     free(L);
     return true;
@@ -258,9 +255,7 @@ Sim *sim_new(const Setup *setup, Fault *fault)
         fault_set(fault, FAULT_MACHINE, "out of memory");
         return NULL;
     }
-    *sim = (Sim){0};
-    sim->setup = setup;
-    sim->method = *setup->method;
+    *sim = (Sim){.setup = setup, .method = *setup->method};
     sim->total = setup->frame == FRAME_TOTAL;
     sim->domain = sim->total ? DOMAIN_UNDEFORMED : setup->domain;
     if (sim->method.adapt) sim->method.adapt(setup->method_par, &sim->method);

@@ -193,11 +193,15 @@ unsigned sim_stops(const Grid *g, int row, int i, double dt);
 #define NOWHERE ((size_t)-1)
 size_t mirror_image(const Grid *g, const int index[DIM], double sign[DIM]);
 
+/* Does node i of a row lie on a symmetry plane across this axis? */
+bool mirror_has_node(const Grid *g, int axis, int i, int row);
+
 /* What a chunk's points carry at time t: T = J sigma [Pa], for a deposit: those break whose tension
  * passes their strength; and body force per mass b [m/s^2] (0 if the scene has none). Distance
  * [cells] of a node inside the body, from a scene that knows it; else NAN. deposit.c. */
 void sim_stress(const Sim *sim, const Chunk *c, Field T[NMAT]);
 void sim_stress_now(const Sim *sim, const Chunk *c, Field T[NMAT]); /* nothing breaks */
+void sim_start_strength(Sim *sim);                                  /* as the scene says */
 double sim_lost(const Sim *sim); /* [J] that broken particles stored */
 void sim_body(const Sim *sim, const Chunk *c, double t, Field b[DIM]);
 double sim_distance(const Sim *sim, const int index[DIM], double t);
