@@ -66,10 +66,11 @@ $(BUILD)/facts.h: force
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 $(BUILD)/mpmlab: $(FREE_OBJECTS) $(DIMS:%=$(BUILD)/d%/engine.o)
-	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+	$(LINK)
 
 # One short line a file; V=1 shows the commands. Every object carries a list of its headers (.d).
 SHOW    = $(if $(V),,@$(if $(findstring s,$(firstword -$(MAKEFLAGS))),,echo "$(1) $(@:$(BUILD)/%=%)";))
+LINK    = $(call SHOW,LD) mkdir -p $(@D) && $(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 COMPILE = $(call SHOW,CC) mkdir -p $(@D) && $(CC) $(CFLAGS) -MMD -MP -c -o $@ $<
 DEPENDS = $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 
@@ -117,13 +118,13 @@ $(BUILD)/d2/tests/core/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/pe
 $(DIMS:%=$(BUILD)/d%/tests/problems/test_scan.o): CFLAGS += -DSCANS='"$(CURDIR)/tests/data/scans"'
 $(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,$(call tests_of,tools) studies/trial check) \
   $(FUZZ_OBJECTS) $(TEST_OBJECTS)
-	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS) -lcunit
+	$(LINK) -lcunit
 
 # Tests of one dimension see its objects before their names are hidden.
 define dimension_tests
 $(BUILD)/tests/$(1): $(patsubst %,$(BUILD)/d$(2)/tests/%.o,$(call tests_of,$(1)) fixture $(TEXTBOOK)) \
   $(BUILD)/tests/check.o $(BASE_OBJECTS) $(call objects,$(2))
-	$(if $(UNLISTED),$$(error not in tests/tests.def: $(UNLISTED)))$$(call SHOW,LD)$(CC) $(CFLAGS) -o $$@ $$^ $(LDLIBS) -lcunit
+	$(if $(UNLISTED),$$(error not in tests/tests.def: $(UNLISTED)))$$(LINK) -lcunit
 endef
 $(foreach d,$(CORE_DIMS),$(eval $(call dimension_tests,core_$(d)d,$(d))))
 $(foreach p,fem wls scenes,$(eval $(call dimension_tests,$(p),2)))
@@ -160,7 +161,7 @@ bench: all $(BUILD)/tests/bench ## speed: figure T-3, and instructions if valgri
 
 $(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,tools/bench tools/bare_loops $(TEXTBOOK)) \
   $(BASE_OBJECTS) $(call objects,2)
-	$(call SHOW,LD)$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+	$(LINK)
 
 # Seeded faults in all parts of the program, a line each in tests/tools/mutants.list: the tests must see each.
 mutants: ## seeded faults, each of which a test must see
@@ -201,7 +202,7 @@ $(BUILD)/tests/fuzz/fuzz_main_%.o: tests/fuzz/fuzz_main.c Makefile
 	$(COMPILE) -DFUZZ=fuzz_$*
 
 $(FUZZERS:%=$(BUILD)/tests/fuzz_%): $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz/fuzz_main_%.o $(FUZZ_OBJECTS) $(TEST_OBJECTS)
-	$(call SHOW,LD)$(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
+	$(LINK) -fsanitize=fuzzer
 
 # Every source compiled, for lint.
 objects: all $(UNIT_TESTS) $(BUILD)/tests/bench $(FUZZERS:%=$(BUILD)/tests/fuzz/fuzz_main_%.o) ## every source compiled, for lint

@@ -48,12 +48,17 @@ static void lattice_size(const Scene *s, double cells, double *ni, double *nj)
     }
 }
 
+int mesh_takes(const Scene *scene, Fault *fault)
+{
+    if (scene->body.kind <= BODY_HOLE_PLATE) return 0;
+    return fault_set(fault, FAULT_USAGE,
+                     "--method: got 'fem', which has no mesh for the body of %s",
+                     scene->problem->info.name);
+}
+
 int mesh_plan(Mesh *mesh, const Scene *scene, int cells, Fault *fault)
 {
     double ni, nj, nodes, elements;
-    if (scene->body.kind > BODY_HOLE_PLATE)
-        return fault_set(fault, FAULT_USAGE, "fem: no mesh for the body of problem %s",
-                         scene->problem->info.name);
     bool disk = scene->body.kind == BODY_DISK;
     bool closed = scene->body.kind == BODY_RING && mesh_is_full_turn(&scene->body);
     lattice_size(scene, cells, &ni, &nj);

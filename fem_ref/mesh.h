@@ -27,8 +27,11 @@ static inline bool mesh_is_full_turn(const Body *b)
     return b->angle_hi - b->angle_lo > 2 * M_PI * (1 - 1e-12);
 }
 
-/* Mesh of edge about 1/cells. 0, or a fault: 2 for a body without a mesh, 1 for one beyond
- * counting. */
+/* 0, or a fault: no mesh is known for the scene's body. */
+int mesh_takes(const Scene *scene, Fault *fault);
+
+/* Mesh of edge about 1/cells of a body that it takes. 0, or a fault (1): more elements than can be
+ * counted. */
 int mesh_plan(Mesh *mesh, const Scene *scene, int cells, Fault *fault);
 
 /* Node positions X [m] [DIM][nodes] and corners [DIM + 1][elements], so that volumes are positive.

@@ -52,14 +52,21 @@ static double faces_nodes(const Scene *s, double m)
     return s->octant ? 3 * m * (m + 1) + 1 : 6 * m * m + 2;
 }
 
+int mesh_takes(const Scene *scene, Fault *fault)
+{
+    const BodyKind kind = scene->body.kind;
+    if (kind == BODY_BOX || kind == BODY_RING || (kind >= BODY_SHELL && kind <= BODY_CAVITY))
+        return 0;
+    return fault_set(fault, FAULT_USAGE,
+                     "--method: got 'fem', which has no mesh for the body of %s",
+                     scene->problem->info.name);
+}
+
 int mesh_plan(Mesh *mesh, const Scene *scene, int cells, Fault *fault)
 {
     const BodyKind kind = scene->body.kind;
     const bool closed = kind == BODY_RING && mesh_is_full_turn(&scene->body);
     double n[3], nodes, hexes;
-    if (kind != BODY_BOX && kind != BODY_RING && (kind < BODY_SHELL || kind > BODY_CAVITY))
-        return fault_set(fault, FAULT_USAGE, "fem: no mesh for the body of problem %s",
-                         scene->problem->info.name);
     size(scene, cells, n);
     nodes = (n[0] + 1) * (n[1] + !closed) * (n[2] + 1);
     hexes = n[0] * n[1] * n[2];

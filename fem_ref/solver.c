@@ -7,6 +7,7 @@
  * mesh_space.c the mesh. */
 #include <math.h>
 #include "fem.h"
+#include "mesh.h"
 
 static const Param params[] = {{"body", 0, 0, 1, "",
                                 "body force taken at the nodes, or integrated over the elements",
@@ -166,6 +167,7 @@ const Solver solver_fem = {
              .source = "W11 Appendix A",
              .formula = "m_i a_i = -sum_e sigma_e grad phi_i A_e + m_i b_i, lumped mass",
              .params = params},
+    .takes = mesh_takes,
     .make = make,
     .unit_dt = unit_dt,
     .step = step,

@@ -56,6 +56,8 @@ static const Column columns[] = {
     NUMBER(fallbacks),
     NUMBER(ppc_asked),
     TIMING(wall_run_s),
+    NUMBER(particle_bytes),
+    NUMBER(node_bytes),
 };
 
 int row_columns(void)

@@ -18,6 +18,7 @@ typedef struct Row {
     double surface_particles, elements, fallbacks;
     double ppc_asked;  /* of a layout whose real `ppc` came out otherwise; repeats the run */
     double wall_run_s; /* of the whole run: set-up, norms, ledger and files included */
+    double particle_bytes, node_bytes; /* memory of a particle, of a live node (not FEM) */
 } Row;
 
 /* A row with every number NAN and every text empty. */

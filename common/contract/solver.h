@@ -58,6 +58,7 @@ typedef struct Counts {
     long nodes;     /* most live grid nodes at any step; -1: no step got that far, or FEM */
     bool moved;     /* the last step has moved the points, whatever its end */
     long fallbacks; /* nodes that fell back from their method's own rule; -1: has none */
+    double particle_bytes, node_bytes; /* memory of a particle, of a live node; 0: not said */
 } Counts;
 
 /* Something that advances points in time. `self` is what make returned. One per kind: the particle
@@ -65,8 +66,11 @@ typedef struct Counts {
 typedef struct Solver {
     Info info; /* of a solver that is chosen by name like a method (FEM); else empty */
 
-    /* Builds everything; NULL and a fault (2: no mesh for this scene, bad ppc; 1: memory, said
-     * before it is allocated). */
+    /* 0, or a fault if this scene cannot be run, whatever the number of cells (FEM: no mesh for
+     * its body); NULL: every scene can. */
+    int (*takes)(const Scene *scene, Fault *fault);
+
+    /* Builds everything; NULL and a fault (2: bad ppc; 1: memory, said before it is allocated). */
     void *(*make)(const Setup *setup, Fault *fault);
 
     /* Largest stable-looking step [s] for CFL 1, where it is not h/c (FEM's small triangles); or

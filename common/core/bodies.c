@@ -119,6 +119,8 @@ void bodies_counts(const Bodies *b, Counts *counts)
         counts->surface += sim->surface;
         counts->nodes += sim->nodes;
         counts->moved |= sim->moved;
+        counts->particle_bytes = fmax(counts->particle_bytes, sim_particle_bytes(sim));
+        counts->node_bytes = fmax(counts->node_bytes, sim_node_bytes(sim));
         if (sim->method.assemble || sim->method.integrate)
             counts->fallbacks = (counts->fallbacks > 0 ? counts->fallbacks : 0) + sim->fallbacks;
     }

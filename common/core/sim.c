@@ -115,17 +115,30 @@ static bool particles_alloc(Sim *sim)
     return ok;
 }
 
+double sim_particle_bytes(const Sim *sim)
+{
+    size_t bytes = (3 + DIM) * sizeof(int); /* id, order, source, key */
+    for (int f = 0; f < FIELDS; f++) bytes += field_used(sim, f) * sizeof(double);
+    return (double)bytes;
+}
+
+double sim_node_bytes(const Sim *sim)
+{
+    const Scene *scene = sim->setup->scene;
+    const bool forces = scene && (scene->problem->body || scene->traction);
+    return (double)(sizeof(Line) * (sim->method.filter ? 2 : 1) + sim->method.node_bytes) + 1 +
+           (forces ? 8.0 * DIM : 0);
+}
+
 /* Bytes that a scene will need, before anything is allocated; doubles, so that nothing overflows.
- */
+ * The layout has positions and normals of its own. */
 static double bytes_needed(const Sim *sim, double particles)
 {
     const Scene *scene = sim->setup->scene;
-    double nodes = 1, fields = 4;
+    double nodes = 1;
     for (int d = 0; d < DIM; d++) nodes *= (scene->hi[d] - scene->lo[d]) * sim->g.cells + 8;
-    for (int f = 0; f < FIELDS; f++) fields += field_used(sim, f);
-    return nodes * ((double)(sizeof(Line) + sim->method.node_bytes) + 1 +
-                    8.0 * DIM * (scene->problem->body != NULL)) +
-           particles * 8 * (fields + 2 * DIM + 1);
+    return nodes * sim_node_bytes(sim) +
+           particles * (sim_particle_bytes(sim) + 8.0 * (2 * DIM + 1));
 }
 
 static double body_volume(const Scene *scene)

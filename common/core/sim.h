@@ -129,6 +129,12 @@ typedef struct Sim {
 Sim *sim_new(const Setup *setup, Fault *fault);
 void sim_free(Sim *sim);
 
+/* Memory [bytes] of a particle; of a live node, which is all that a grid takes: what no particle
+ * has touched stays untouched pages. Setup and method must be set, and the scene where it has body
+ * forces. */
+double sim_particle_bytes(const Sim *sim);
+double sim_node_bytes(const Sim *sim);
+
 /* Are order, spans and sizes consistent? For assertions and tests. */
 bool sim_is_valid(const Sim *sim);
 

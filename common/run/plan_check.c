@@ -55,6 +55,7 @@ int plan_check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
     const bool polygons = solver->elements || (plan->setup.method && plan->setup.method->patches) ||
                           (plan->setup.method_b && plan->setup.method_b->patches);
     const char *name = plan->method->name;
+    if (solver->takes && solver->takes(&plan->scene, fault)) return FAULT_USAGE;
     if (check_distance(spec, plan, fault) || check_rupture(spec, plan, fault)) return FAULT_USAGE;
     if (plan->scene.problem->projection && !solver->project)
         return fault_set(fault, FAULT_USAGE,

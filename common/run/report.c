@@ -80,6 +80,8 @@ void report_counts(const Loop *l, Row *row)
     row->nodes = known((double)c.nodes);
     row->elements = known(c.elements);
     row->fallbacks = known((double)c.fallbacks);
+    row->particle_bytes = c.particle_bytes > 0 ? c.particle_bytes : NAN;
+    row->node_bytes = c.node_bytes > 0 ? c.node_bytes : NAN;
 }
 
 void report_results(const Loop *l, Row *row)

@@ -207,12 +207,17 @@ static void card(const Page *page, const Study *s, const char *command)
 
 void page_figures(const Page *page)
 {
-    static const Study bench = {.name = "t_03_speed",
-                                .figure = "T-3",
-                                .about = "speed: CPU time and instructions of one particle-step"};
+    static const Study bench[] = {
+        {.name = "t_03_speed",
+         .figure = "T-3",
+         .about = "speed: CPU time and instructions of one particle-step"},
+        {.name = "t_03_growth",
+         .figure = "T-3b",
+         .about = "growth: wall clock of one particle-step against the number of particles"}};
     for (const Study *const *s = studies; *s; s++) {
         if (size_of(page, (*s)->name, "csv"))
             card(page, *s, phrase("build/mpmlab study %s", (*s)->name));
     }
-    if (size_of(page, bench.name, "csv")) card(page, &bench, "make bench");
+    for (int k = 0; k < 2; k++)
+        if (size_of(page, bench[k].name, "csv")) card(page, &bench[k], "make bench");
 }

@@ -13,7 +13,7 @@
 enum { ALL = 127, CD_UVF = 1 | 8 | 64 };
 
 const Map stability_maps[MAPS] = {
-    {&engine_1d, "sine_bar", {32, 40}, ALL, 0.02, {1, 2, 2.5, 4}, {1e-4, 0.01, 0.05}, 1, 1},
+    {&engine_1d, "sine_bar", {20, 40}, ALL, 0.02, {1, 2, 2.5, 4}, {1e-4, 0.01, 0.05}, 1, 1},
     {&engine_2d, "axis_mms", {8, 8}, CD_UVF, 0.02, {4, 9}, {0.01, 0.05}, 0, 0},
 };
 const double stability_rungs[MAP_RUNGS] = {0.1, 0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6, 2};

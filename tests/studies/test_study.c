@@ -10,6 +10,7 @@
 #include "studies/tables/curves.h"
 #include "studies/engine/sidecar.h"
 #include "studies/engine/run_study.h"
+#include "studies/runs/run_args.h"
 #include "tests/check.h"
 
 static const char dir[] = "scratch/study";
@@ -259,6 +260,21 @@ static void test_lost(void)
     table_free(t);
 }
 
+/* Pages of all problems with an exact solution (T-2) ask for it by default: that of scan needs a
+ * setting, and FEM has no mesh for it, which is said before a run. */
+static void test_exact_by_default(void)
+{
+    RunSpec spec;
+    Fault fault = {0};
+    const Engine *engine;
+    CU_ASSERT(engine_2d.has_exact("ring") && engine_3d.has_exact("shell"));
+    CU_ASSERT(!engine_2d.has_exact("scan") && !engine_2d.has_exact("two_disks"));
+    CU_ASSERT(!engine_2d.has_exact("nothing"));
+    CU_ASSERT(run_args_resolve("run scan --method gimp", &spec, &engine, &fault) == 0);
+    CU_ASSERT(run_args_resolve("run scan --method fem", &spec, &engine, &fault) == FAULT_USAGE);
+    CHECK_TEXT(fault.text, "--method: got 'fem', which has no mesh for the body of scan");
+}
+
 static const TestCase tests[] = {
     {"verdicts", test_verdicts},
     {"notes for the figure", test_notes},
@@ -272,6 +288,7 @@ static const TestCase tests[] = {
     {"claims that a page declares", test_declared},
     {"medians", test_median},
     {"lost runs", test_lost},
+    {"exact by default", test_exact_by_default},
     {NULL, NULL},
 };
 CHECK_SUITE(tests)

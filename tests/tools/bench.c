@@ -3,15 +3,13 @@
  *
  *   bench machine                 fma_gflops, copy_gbs: multiply-adds, and reads + writes in place
  *   bench twin CELLS STEPS        twin_ns: ns per particle-step of GIMP on free_block
- *   bench bare KIND CELLS STEPS   bare_ns: the same of a bare loop, KIND mls or gimp
- *   bench bytes METHOD            bytes: memory of a particle in the core */
+ *   bench bare KIND CELLS STEPS   bare_ns: the same of a bare loop, KIND mls or gimp */
 #define _GNU_SOURCE
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "common/base/stopwatch.h"
 #include "common/run/plan.h"
-#include "common/core/sim.h"
 #include "tests/textbook/textbook.h"
 #include "tests/tools/bare_loops.h"
 
@@ -58,20 +56,6 @@ static int plan(Plan *p, const char *method, int cells)
     return fault.code;
 }
 
-static int bytes(const char *method)
-{
-    Plan p;
-    Fault fault;
-    if (plan(&p, method, 16)) return 2;
-    Sim *sim = sim_new(&p.setup, &fault);
-    if (!sim) return 1;
-    int fields = 0;
-    for (int f = 0; f < FIELDS; f++) fields += sim->p.field[f] != NULL;
-    printf("bytes %zu\n", (size_t)(fields + 1) * sizeof(double) + 4 * sizeof(int));
-    sim_free(sim);
-    return 0;
-}
-
 static int twin(int cells, int steps)
 {
     Plan p;
@@ -94,9 +78,8 @@ int main(int argc, char **argv)
         printf("fma_gflops %.4g\ncopy_gbs %.4g\n", fma_gflops(), copy_gbs());
         return 0;
     }
-    if (argc == 3 && !strcmp(argv[1], "bytes")) return bytes(argv[2]);
     if (argc == 4 && !strcmp(argv[1], "twin")) return twin(atoi(argv[2]), atoi(argv[3]));
     if (argc == 5 && !strcmp(argv[1], "bare")) return bare(argv[2], atoi(argv[3]), atoi(argv[4]));
-    fprintf(stderr, "bench: machine | twin CELLS STEPS | bare KIND CELLS STEPS | bytes METHOD\n");
+    fprintf(stderr, "bench: machine | twin CELLS STEPS | bare KIND CELLS STEPS\n");
     return 2;
 }

@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # bench.sh: the speed of the step loop, from one run of this machine: ns per particle-step (best and median
 # CPU time of interleaved rounds), instructions (callgrind, AVX2 build), ratios to the textbook twin, two bare loops
-# (whole) and the machine's own bounds, growth, empty space, threads. Writes OUT/t_03_speed.csv; prints it as a table.
+# (whole) and the machine's own bounds, empty space, threads. Writes OUT/t_03_speed.csv and prints it as a table; then
+# growth with the number of particles (OUT/t_03_growth.csv), and what is slower than in the bench that was accepted last
+# on this processor (tests/data/bench; ACCEPT=1 puts this one there).
 #   BUILD=build OUT=build/out ROUNDS=7 tests/tools/bench.sh
 set -u
 BUILD=${BUILD:-build} OUT=${OUT:-$BUILD/out} ROUNDS=${ROUNDS:-7}
@@ -15,7 +17,7 @@ mapfile -t methods < <("$lab" list methods | awk -F'\t' '$3 ~ /2/ && $2 != "fem"
 cases=()
 for m in "${methods[@]}"; do cases+=("$m|free_block --method $m --set steps=40"); done
 cases+=("mpm-cd|free_block --method mpm --integrator cd --set steps=40"
-    "gimp-1e4|free_block --cells 50 --set steps=250" "gimp-1e6|free_block --cells 512 --set steps=6"
+    "gimp-1e4|free_block --cells 50 --set steps=250" "gimp-1e6|free_block --cells 512 --set steps=20"
     "gimp-2-threads|free_block --threads 2 --set steps=40"
     "gimp-box-15|free_block --set box=15 --set steps=40"
     "gimp-1d|free_block --cells 16384 --set dim=1 --set steps=40"
@@ -85,9 +87,55 @@ gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
 } >"$work/t_03_speed.csv"
 mv "$work/t_03_speed.csv" "$OUT/t_03_speed.csv" || exit 1
 column -s, -t "$OUT/t_03_speed.csv" 2>/dev/null || cat "$OUT/t_03_speed.csv"
-"$bench" bytes gimp
+
+# Slower than accepted: instructions by more than 1 %, or CPU time over the textbook code's by more than 15 %.
+processor=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
+accepted=tests/data/bench/$(tr -c 'A-Za-z0-9\n' _ <<<"${processor:-unknown}").csv
+if [ "${ACCEPT:-}" ]; then
+    mkdir -p "${accepted%/*}" && cp "$OUT/t_03_speed.csv" "$accepted" || exit 1
+elif [ -r "$accepted" ]; then
+    awk -F, 'FNR == 1 { for (k = 1; k <= NF; k++) at[$k] = k; next }
+        NR == FNR { count[$1] = $at["instructions_avx2"]; ratio[$1] = $at["ratio_to_twin"]; next }
+        count[$1] && $at["instructions_avx2"] > 1.01 * count[$1] {
+            printf "slower: %s, %g instructions, %g accepted\n", $1, $at["instructions_avx2"], count[$1]; n++ }
+        ratio[$1] && $at["ratio_to_twin"] > 1.15 * ratio[$1] {
+            printf "slower: %s, %g of the textbook code\047s time, %g accepted\n", $1, $at["ratio_to_twin"], ratio[$1]; n++ }
+        END { printf "%d of %d numbers slower than accepted\n", n, 2 * (FNR - 1) }' "$accepted" "$OUT/t_03_speed.csv"
+else
+    echo "no bench of this processor (${processor:-unknown}) was accepted yet: ACCEPT=1 make bench keeps this one"
+fi
+
+# ns of CPU and of wall clock, the better of two runs, against the number of particles; 1 and 2 threads.
+{
+    echo "method,dim,threads,particles,cpu_ns,wall_ns"
+    for dim in 1 2 3; do
+        case $dim in 1) sizes=(512 8192 131072 2097152) ppc=2 ;; 2) sizes=(16 64 256 1024) ppc=4 ;; *) sizes=(5 16 50 80) ppc=8 ;; esac
+        for m in $("$lab" list methods | awk -F'\t' -v dim=$dim '$3 ~ dim && $2 != "fem" { print $2 }'); do
+            for size in "${sizes[@]}"; do
+                n=$((ppc * size ** dim)) steps=$((400000 / (ppc * size ** dim) + 2))
+                [ $n -gt 300000 ] && [ "$m" != gimp ] && continue # seconds each
+                for threads in 1 2; do
+                    for _ in first again; do
+                        "$lab" run free_block --method "$m" --set dim=$dim --cells "$size" --ppc $ppc --threads $threads \
+                            --set steps=$steps --quiet 2>>"$work/error" >"$work/row.csv" || continue
+                        awk -F, -v m="$m" -v d=$dim -v t=$threads 'NR == 1 { for (k = 1; k <= NF; k++) at[$k] = k }
+                            NR == 2 { n = $at["particles"] * $at["steps"]
+                                printf "%s,%d,%d,%d,%.4g,%.4g\n", m, d, t, $at["particles"], 1e9 * $at["cpu_s"] / n,
+                                       1e9 * $at["wall_s"] / n }' "$work/row.csv"
+                    done | sort -t, -k6,6g | head -n 1
+                done
+            done
+            [ -t 2 ] && printf '\rbench: growth in %dD, %s    ' $dim "$m" >&2
+        done
+    done
+} >"$work/t_03_growth.csv"
+[ -t 2 ] && echo >&2
+mv "$work/t_03_growth.csv" "$OUT/t_03_growth.csv" || exit 1
 command -v gnuplot >/dev/null || { echo "SKIPPED gnuplot: no figure T-3" >&2; exit 0; }
-for fmt in svg png; do
-    gnuplot -e "fmt='$fmt'; out='$work/figure'; dir='$OUT'; name='t_03_speed'; csv='$OUT/t_03_speed.csv'; plots='plots'" \
-        plots/own/t_03_speed.gp && [ -s "$work/figure" ] && mv "$work/figure" "$OUT/t_03_speed.$fmt" || exit 1
+for name in t_03_speed t_03_growth; do
+    for fmt in svg png; do
+        gnuplot -e "fmt='$fmt'; out='$work/figure'; dir='$OUT'; name='$name'; csv='$OUT/$name.csv'; plots='plots'
+            bytes=$(value copy_gbs); flops=$(value fma_gflops)" \
+            plots/own/$name.gp && [ -s "$work/figure" ] && mv "$work/figure" "$OUT/$name.$fmt" || exit 1
+    done
 done
