@@ -18,7 +18,7 @@ static double widest_half(double half, bool list)
 static bool field_used(const Sim *sim, int field)
 {
     if (field >= AT_OWN) return field - AT_OWN < sim_own_count(&sim->method);
-    if (field >= AT_STRENGTH) return sim->setup->scene->problem->strength != NULL;
+    if (field >= AT_STRENGTH) return sim->setup->scene && sim->setup->scene->problem->strength;
     if (field >= AT_N) return sim->method.surface;
     if (field >= AT_W) return sim->method.filter;
     if (field >= AT_U) return sim->setup->integrator == MUSL;
