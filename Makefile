@@ -50,10 +50,10 @@ help:
 	@sed -nE 's/^([a-z -]+):[^#]*## (.*)/\1|\2/p' $(firstword $(MAKEFILE_LIST)) | \
 	  while IFS='|' read -r name text; do printf '%-12s %s\n' "$$name" "$$text"; done
 
-# $(call sum,ROOM ...): a shell command that prints the checksum of all files of these rooms, names included.
+# $(call sum,ROOM ...): a shell command that prints the checksum of all files of these rooms but .md, names included.
 sum = for room in $(1); do \
   find $$room -type f | grep -q . || { echo "$$room: an empty room" >&2; exit 1; }; done; \
-  find $(1) -type f | LC_ALL=C sort | xargs cksum | cksum | cut -d' ' -f1
+  find $(1) -type f ! -name '*.md' | LC_ALL=C sort | xargs cksum | cksum | cut -d' ' -f1
 
 # What this build is, for --version, the journals and the sidecars; rewritten only when it changes. Rows depend on
 # FACT_SOURCES, which is part of a journal's key; FACT_STUDIES is what judges and draws them.
@@ -68,7 +68,7 @@ $(BUILD)/facts.h: force
 $(BUILD)/mpmlab: $(FREE_OBJECTS) $(DIMS:%=$(BUILD)/d%/engine.o)
 	$(LINK)
 
-# One short line a file; V=1 shows the commands. Every object carries a list of its headers (.d).
+# One short line per file; V=1 shows the commands. Every object carries a list of its headers (.d).
 SHOW    = $(if $(V),,@$(if $(findstring s,$(firstword -$(MAKEFLAGS))),,echo "$(1) $(@:$(BUILD)/%=%)";))
 LINK    = $(call SHOW,LD) mkdir -p $(@D) && $(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 COMPILE = $(call SHOW,CC) mkdir -p $(@D) && $(CC) $(CFLAGS) -MMD -MP -c -o $@ $<
@@ -80,7 +80,7 @@ $(BUILD)/studies/%.o: studies/%.c $(BUILD)/facts.h Makefile
 $(BUILD)/common/base/%.o: common/base/%.c Makefile
 	$(COMPILE)
 
-# One object a dimension; all but its Engine is hidden, so that the dimensions can share names.
+# One object per dimension; all but its Engine is hidden, so that the dimensions can share names.
 define dimension
 $(BUILD)/d$(1)/%.o: %.c Makefile
 	$$(COMPILE) -DDIM=$(1)

@@ -33,7 +33,7 @@ typedef struct Fem {
     double *given[DIM];               /* [kg m/s] momentum from body forces and walls so far */
     Vec outside;                      /* [kg m/s] from body forces alone, if `reactions` */
     bool reactions;
-    int (*touching)[VALENCE]; /* corners that meet in the node; its rest: no_force */
+    int (*touching)[VALENCE]; /* element corners that meet in the node; unused: no_force */
     int *id;
 
     int *corner[CORNERS]; /* counter-clockwise */
@@ -42,9 +42,10 @@ typedef struct Fem {
     double *A0, *F[NMAT]; /* [m^DIM] [-] reference volume, deformation gradient */
     Packed *force;        /* [N] internal force on the corners: [chunk][corner][CHUNK] */
 
-    bool integrate;      /* the body force is integrated over elements, not taken at nodes (A1): */
-    double *middle[DIM]; /* [m] [slots] centres of the elements in the reference, then */
-    Packed *pull;        /* [N] [slots + 1] an element's body force on each of its corners, then */
+    bool integrate; /* body=elements: the body force is integrated over elements; else (A1) it is
+                     * that at the nodes, and middle and pull are not used */
+    double *middle[DIM]; /* [m] [slots] centres of the elements in the reference */
+    Packed *pull;        /* [N] [slots + 1] an element's body force on each of its corners */
 
     struct Sides *sides; /* sides under traction, or NULL; traction.c */
 
@@ -54,22 +55,23 @@ typedef struct Fem {
     double edge;      /* [m] length in the time step limit */
     bool moved;       /* by the last step */
     Status status;    /* of the current positions */
-    void *memory;     /* all arrays, */
-    size_t bytes;     /*   so many */
+    void *memory;     /* one block that holds all arrays */
+    size_t bytes;     /* its size */
 } Fem;
 
-/* Where the force on a corner of element e lies; and a force that is always zero. */
+/* Index of the force on a corner of element e. */
 static inline int force_at(int e, int corner)
 {
     return (e / CHUNK * CORNERS + corner) * CHUNK + e % CHUNK;
 }
 
-/* The element whose corner force lies there; `slots` for the force that is always zero. */
+/* The element of a corner force's index; `slots` for no_force. */
 static inline int element_at(int force)
 {
     return force / (CORNERS * CHUNK) * CHUNK + force % CHUNK;
 }
 
+/* Index of a force that is always zero. */
 static inline int no_force(const Fem *f)
 {
     return CORNERS * f->slots;

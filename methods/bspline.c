@@ -1,10 +1,10 @@
 /* bspline.c: quadratic B-splines, their weights folded at walls, with MPM's transfers.
  *
  * The spline is the tent convolved with a box of one whole cell, so C1: no force jumps where a
- * particle crosses a cell. Every particle sees three nodes an axis whatever its size, which is what
- * GIMP's half width h/2 would give. Steffen, Kirby & Berzins 2008 change the functions next to a
- * boundary; folding the outer weight 2:-1 into the two nodes inside gives theirs: it leaves a tent
- * in the last half cell. */
+ * particle crosses a cell. Every particle has three nodes per axis whatever its size, as GIMP has
+ * with half width h/2. Steffen, Kirby & Berzins 2008 change the functions next to a boundary;
+ * folding the outer weight 2:-1 into the two nodes inside gives theirs: it leaves a tent in the
+ * last half cell. */
 #include "methods/parts/shapes.h"
 #include "methods/parts/transfers.h"
 

@@ -1,6 +1,6 @@
 /* bspline3.c: cubic B-splines with MPM's transfers (Steffen, Kirby & Berzins 2008).
  *
- * C2, four nodes an axis, folded at walls like the quadratic ones (bspline.c): the paper replaces
+ * C2, four nodes per axis, folded at walls like the quadratic ones (bspline.c): the paper replaces
  * the functions next to a boundary by those of a knot vector that ends there; folding gives the
  * natural spline instead, which keeps sum S = 1 and sum S x_i = x up to the wall. */
 #include "methods/parts/shapes.h"

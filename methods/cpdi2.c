@@ -4,7 +4,7 @@
  * As cpdi.c, but the corners are points that move with the grid, so that domains stay contiguous
  * and become any quadrilateral (3D: hexahedron): w_c and g_c are the means of its multilinear
  * functions and of their gradients, w_c = int N_c J / V, g_c = int J F^-T dN_c / V, F its Jacobian,
- * by two Gauss points an axis, which are exact. sum S = 1 and linear fields have exact gradients;
+ * by two Gauss points per axis, which are exact. sum S = 1 and linear fields have exact gradients;
  * sum S x_i is the domain's centroid, which x_p follows to second order in time.
  *
  * Left open: corners move with the velocities that move particles, with musl with those projected

@@ -1,4 +1,5 @@
-/* ge_mpm.c: gradient-enhanced projection on tents (W07 section 4): published, and unstable. */
+/* ge_mpm.c: gradient-enhanced projection on tents (W07 section 4). The gradients of tents jump at
+ * cell borders: most runs of W07's stopped bar are lost or wrong by 20 % (W07-12). */
 #include "methods/parts/shapes.h"
 #include "methods/parts/transfers.h"
 

@@ -1,9 +1,9 @@
 /* xpic.c: extended particle-in-cell of order k (Hammerquist & Nairn 2017).
  *
- * With S+ (particles to nodes by mass) and S (back), what S+ cannot see of the particle velocities
- * V is noise. PIC takes V to S S+ V, which damps far more; XPIC(k) to [I - (I - S S+)^k] V + dt S
- * a, whose filter tends to the projection that removes the null space alone. In terms of the grid
- * velocity v = S+ V, with A = S+ S: S sum_{l<k} c_l A^l v, c_l = (-1)^l C(k, l+1).
+ * S+ takes particle velocities V to nodes by mass, S takes them back. The part of V in the null
+ * space of S+ is noise. PIC takes V to S S+ V, which damps far more; XPIC(k) to [I - (I - S S+)^k]
+ * V + dt S a, whose filter tends to the projection that removes the null space alone. In terms of
+ * the grid velocity v = S+ V, with A = S+ S: S sum_{l<k} c_l A^l v, c_l = (-1)^l C(k, l+1).
  * Positions and gradient use the plain grid velocity. Order 1 is PIC. */
 #include "methods/parts/filters.h"
 

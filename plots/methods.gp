@@ -5,4 +5,3 @@ set datafile columnheaders # the first line is none of them
 stats list_ using (add_(strcol('method'))) nooutput
 unset datafile columnheaders
 at_(m) = sum [k = 1:words(seen_)] (word(seen_, k) eq m ? k - 1 : 0)
-array VARIANT[4] = ['#334155', '#0e7490', '#b45309', '#a855f7'] # of variants, which are no methods

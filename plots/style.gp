@@ -5,7 +5,7 @@ set encoding utf8
 if (fmt eq 'png') {
     set terminal pngcairo size 1400,int(950 * tall) font 'DejaVu Sans,18' enhanced linewidth 1.4 background '#ffffff'
 } else { if (fmt eq 'page.png') { # in the pixels that the page shows
-    set terminal pngcairo size 933,int(633 * tall) font 'DejaVu Sans,12' enhanced background '#ffffff'
+    set terminal pngcairo size 800,int(543 * tall) font 'DejaVu Sans,10.3' enhanced background '#ffffff'
 } else {
     set terminal svg size 933,int(633 * tall) dynamic font 'DejaVu Sans,12' enhanced name name background '#ffffff'
 }}
@@ -41,6 +41,7 @@ set key textcolor rgb '#222222' samplen 2.4 spacing 1.2 Left reverse
 set style line 20 lc rgb '#666666' lw 1.2 dt 1 # guides
 set style line 21 lc rgb '#666666' lw 1.2 dt 2
 set style line 22 lc rgb '#334155' pt 7 ps 0.7 # particles where no method matters
+array VARIANT[5] = ['#334155', '#0e7490', '#b45309', '#a855f7', '#65a30d'] # of variants, which are no methods
 set minussign
 set format '%h' # the default '% h' leaves room for a sign
 minus(s) = strstrt(s, '-') == 1 ? '−'.s[2:] : s # the sign of a number that sprintf wrote

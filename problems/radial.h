@@ -1,6 +1,6 @@
 /* radial.h: the manufactured radial oscillation that ring (W11 5.1, eqs 36, 37) and shell share, in
- * n = 2 or 3 axes about the body's centre. A scene says enum { RADIAL_AXES = n } before it includes
- * this, and its first parameter is the amplitude A.
+ * n = 2 or 3 axes about the body's centre. A scene defines enum { RADIAL_AXES = n } before it
+ * includes this, and its first parameter is the amplitude A.
  *
  *   u(R, t) = s(t) g(R) e_R,  s = A cos(w t),  w = c pi,  c = sqrt(E/rho),
  *   g = c1 R + c2 R^2 + c3 R^3,  g' = 0 at both radii, so that they are free of traction.

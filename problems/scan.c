@@ -66,7 +66,7 @@ static double drawn_depth(const Scene *s, const double x[3])
     return depth;
 }
 
-/* Grey of a pixel that sees two pixels far: linear across an edge between all samples about it. */
+/* Draws the body: grey is linear across its edge, from two pixels inside (dark) to two outside. */
 static bool draw(const Scene *s, Image *out)
 {
     const int side = (int)s->par[PIXELS], n[3] = {side, side, DIM > 2 ? side : 1};
@@ -81,7 +81,7 @@ static bool draw(const Scene *s, Image *out)
     return true;
 }
 
-/* The image, to be freed; false and one line in why[128] if it can not be had. */
+/* The image, to be freed; false and one line in why[128] if it cannot be read or drawn. */
 static bool get_image(const Scene *s, Image *out, char why[128])
 {
     Fault fault;

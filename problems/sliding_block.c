@@ -62,7 +62,7 @@ static void part(Scene *s, int body)
         s->wall[s->nwall++] = (Wall){.axis = 1, .side = side, .at = 0, .hold = (1u << DIM) - 1};
 }
 
-/* [1/m] Compression per metre of depth, and shear. */
+/* [1/m] Compression and shear strain per metre of depth. */
 static void strains(const Scene *s, double *press, double *shear)
 {
     *press = rho * g * cos(slope(s)) / s->par[E];

@@ -15,7 +15,7 @@ enum { EVEN, CENTRED, SHIFTED, UNEQUAL, CLUSTERED };
 static const Param params[] = {{"field", FIELD_LINEAR, 0, 1, "", "v = 1 + x or v = (1 + x)^2",
                                 "W07 section 3", "linear|quadratic"},
                                {"arrangement", EVEN, 0, 4, "",
-                                "particles: evenly squeezed; or two a cell, centred, or in every "
+                                "particles: evenly squeezed; or two per cell, centred, or in every "
                                 "second cell shifted, of unequal mass, clustered",
                                 "W07 figs 3, 4", "even|centred|shifted|unequal|clustered"},
                                {NULL, 0, 0, 0, NULL, NULL, NULL, NULL}};

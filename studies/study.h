@@ -57,10 +57,9 @@ FILE *results_write_notes(const Results *results); /* NAME.var, for gnuplot */
  * study FAIL, and this table has no rows. */
 const Table *results_part(const Results *results, const char *part);
 
-/* The file NAME.PART.csv of a run that reached its end, or NULL; to be freed. results_left: of any
- * run. results_path: its path, likewise. */
+/* The file NAME.PART.csv of a run that reached its end, or NULL; to be freed. results_path: its
+ * path, likewise. */
 Table *results_file(const Results *results, const char *part);
-Table *results_left(const Results *results, const char *part);
 char *results_path(const Results *results, const char *part);
 
 /* The same files as tables that belong to the results and have no rows if there is no file: of a

@@ -17,6 +17,16 @@ void check_context(int dim, const char *scene, const char *method, const char *i
              settings ? settings : "");
 }
 
+void check_context_of(int dim, const RunSpec *spec)
+{
+    char settings[256];
+    int n = snprintf(settings, sizeof settings, "cells %g, ppc %g", spec->cells, spec->ppc);
+    for (int k = 0; k < spec->nset && n < (int)sizeof settings; k++)
+        n += snprintf(settings + n, sizeof settings - (size_t)n, ", %s=%s", spec->set[k].name,
+                      spec->set[k].value);
+    check_context(dim, spec->problem, spec->method, spec->integrator, settings);
+}
+
 static void clear_context(void)
 {
     context[0] = 0;

@@ -9,6 +9,7 @@
 
 #include <CUnit/Basic.h>
 #include <math.h>
+#include "common/base/spec.h"
 
 typedef struct TestCase {
     const char *name;
@@ -29,6 +30,9 @@ void check_add(const char *file, const TestCase *tests);
  * unknown, or its default. Fixtures call it for every run they set up. */
 void check_context(int dim, const char *scene, const char *method, const char *integrator,
                    const char *settings);
+
+/* The same for a run that is given as a spec. */
+void check_context_of(int dim, const RunSpec *spec);
 
 /* Assertions of CUnit go through check_assert, which adds the context to what they print. */
 CU_BOOL check_assert(CU_BOOL holds, unsigned line, const char *condition, const char *file,

@@ -23,12 +23,10 @@ RunSpec rig_spec(const Case *c, const char *method, const char *integrator, cons
     strcpy(spec.problem, c->problem);
     if (method) strcpy(spec.method, method);
     if (integrator) strcpy(spec.integrator, integrator);
-    char settings[256];
-    snprintf(settings, sizeof settings, "cells %g, ppc %g%s%s%s%s", c->cells, c->ppc,
-             c->set ? ", " : "", c->set ? c->set : "", more ? ", " : "", more ? more : "");
-    check_context(DIM, c->problem, method, integrator, settings);
+    check_context_of(DIM, &spec);
     set_all(&spec, c->set);
     set_all(&spec, more);
+    check_context_of(DIM, &spec);
     return spec;
 }
 
@@ -66,6 +64,15 @@ void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator 
     for (const Param *p = method->info.params; p && p->name; p++)
         plan->method_par[p - method->info.params] = p->value;
     r->dt = problem->cfl * plan->scene.cell / plan->scene.c;
+}
+
+Scene rig_bare_scene(const Problem *problem, const double par[], double cell)
+{
+    Scene s = {.problem = problem, .par = par, .cell = cell};
+    char why[128];
+    check_context(DIM, problem->info.name, "none", "none", NULL);
+    CU_ASSERT_FATAL(problem->init(&s, why) == 0);
+    return s;
 }
 
 Sim *rig_sim(Rig *r)

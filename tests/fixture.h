@@ -37,6 +37,9 @@ RunSpec rig_spec(const Case *c, const char *method, const char *integrator, cons
 void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator integrator,
                int cells, double ppc);
 
+/* A scene by itself, without a method: made with these parameters for this cell size [m]. */
+Scene rig_bare_scene(const Problem *problem, const double par[], double cell);
+
 /* Particles of r; never NULL (the test ends instead). */
 Sim *rig_sim(Rig *r);
 

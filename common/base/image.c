@@ -98,11 +98,17 @@ static unsigned long add_checksum(unsigned long sum, FILE *f)
     return sum;
 }
 
+/* What stands at a path; 0: nothing. */
+static mode_t kind_of(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) == 0 ? about.st_mode : 0;
+}
+
 /* One file; devices and pipes, which may never end, are not opened. */
 static int add_file(Image *im, int k, const char *path, Fault *fault)
 {
-    struct stat about;
-    if (stat(path, &about) == 0 && !S_ISREG(about.st_mode))
+    if (kind_of(path) && !S_ISREG(kind_of(path)))
         return fault_set(fault, FAULT_USAGE, "%.180s is no file", path);
     FILE *f = fopen(path, "rb");
     if (!f) return fault_set(fault, FAULT_USAGE, "%.180s can not be read", path);
@@ -125,20 +131,14 @@ static bool slice_name(char name[PATH_ROOM], const char *pattern, int k)
                     k, end + 1) < PATH_ROOM;
 }
 
-static bool exists(const char *path)
-{
-    struct stat about;
-    return stat(path, &about) == 0;
-}
-
 static int read_stack(Image *out, const char *pattern, Fault *fault)
 {
     char name[PATH_ROOM];
     if (!slice_name(name, pattern, 0))
         return fault_set(fault, FAULT_USAGE,
                          "%.180s has no number of the slice, such as %%04d, or several", pattern);
-    int first = exists(name) ? 0 : 1, n = 0;
-    while (slice_name(name, pattern, first + n) && (n == 0 || exists(name)))
+    int first = kind_of(name) ? 0 : 1, n = 0;
+    while (slice_name(name, pattern, first + n) && (n == 0 || kind_of(name)))
         if (add_file(out, n++, name, fault)) return FAULT_USAGE;
     return 0;
 }

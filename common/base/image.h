@@ -16,7 +16,7 @@ typedef struct Image {
     unsigned long checksum; /* CRC-32 of the files' bytes, one after the other */
 } Image;
 
-/* A light image; false: no memory. */
+/* An image of samples GREY_LIGHT. 0: no memory. */
 int image_new(Image *out, const int n[3]);
 void image_free(Image *image);
 

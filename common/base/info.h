@@ -1,4 +1,4 @@
-/* info.h: what a problem or a method says of itself, as data: name, purpose, source, parameters. */
+/* info.h: the description of a problem or a method as data: name, purpose, source, parameters. */
 #ifndef MPMLAB_INFO_H
 #define MPMLAB_INFO_H
 

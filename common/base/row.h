@@ -29,12 +29,13 @@ Row row_empty(void);
 int row_header(char out[ROW_TEXT]);
 int row_print(const Row *row, char out[ROW_TEXT]);
 
-/* Column names, in order, for callers that pick; timing columns differ run by run. */
+/* Number of columns, and their names in order; timing columns differ from run to run. */
 int row_columns(void);
 const char *row_column_name(int k);
 int row_column_is_timing(int k);
 
-/* One cell as row_print writes it. Returns its length. */
+/* One cell as row_print writes it; with this the tests compare rows cell by cell. Returns its
+ * length. */
 int row_cell(const Row *row, int k, char out[ROW_TEXT]);
 
 #endif

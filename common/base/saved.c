@@ -80,7 +80,7 @@ static Found check_sum(FILE *f)
     return text[SUM - 1] == '\n' && strtoul(text, NULL, 16) == sum_of(f, n) ? WHOLE : TORN;
 }
 
-/* Opens path if it is a complete state; its head, which says of which run, is copied to `head`. */
+/* Opens path if it is a complete state; its head, which names the run, is copied to `head`. */
 static Found look(const char *path, const SavedKey *key, FILE **out, char head[HEAD])
 {
     char ours[HEAD];

@@ -1,5 +1,5 @@
-/* saved.h: a run's state on disk, to go on from: a text line that says what it is, the run's key
- * and program, bytes (stash.h), and a checksum of all. FILE.1 is the one before. */
+/* saved.h: a run's state on disk, from which it can be resumed: a text line of identification, the
+ * run's key and program, bytes (stash.h), and a checksum of all. FILE.1 is the previous state. */
 #ifndef MPMLAB_SAVED_H
 #define MPMLAB_SAVED_H
 

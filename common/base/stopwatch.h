@@ -1,4 +1,4 @@
-/* stopwatch.h: seconds that have passed. */
+/* stopwatch.h: wall time and CPU time. */
 #ifndef MPMLAB_STOPWATCH_H
 #define MPMLAB_STOPWATCH_H
 

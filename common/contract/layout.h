@@ -27,8 +27,8 @@ void layout_add(Layout *out, const Vec X, double volume, const double *normal);
 void layout_free(Layout *out);
 
 /* Adds points at mid angles of the arc of radius R about the scene's body [m], at most `spacing`
- * apart; each has its share of a ring of thickness dr. dr = 0: surface points, as dense as these
- * are to be, whose normals point outwards (side 1) or inwards (-1). */
+ * apart; the volume of each is its share of a ring of thickness dr. dr = 0: massless surface points
+ * at layout_surface_spacing(), whose normals point outwards (side 1) or inwards (-1). */
 void layout_add_arc(Layout *out, const Scene *scene, double R, double dr, double spacing, int side);
 
 /* Arcs at the mid radii of rings of equal thickness, at most `spacing`, from inner to outer. */
@@ -47,10 +47,12 @@ double layout_surface_spacing(const Layout *out, double spacing);
  * would fill; `asked` where that differs by round-off only. NAN if there are none. */
 double layout_ppc(const Layout *out, double asked, double cell);
 
-/* Fills an empty layout for spacing s = 1/(cells n): in 1D `count` points evenly over the body,
- * or the scene's own arrangement, or the points (i + 1/2) s of a lattice from the origin that lie
- * inside, volume s^DIM; in a box the lattice is shifted and compressed until it fills the box.
- * Body-fitted, a box also has surface points on all faces that are no symmetry lines. */
+/* Fills an empty layout for spacing s = 1/(cells n) with the first of these that applies: the
+ * scene's own arrangement (Problem.place); `count` > 0 points evenly over the body (1D); the points
+ * (i + 1/2) s of a lattice from the origin that lie inside, volume s^DIM. In a box that lattice is
+ * shifted and compressed until it fills the box. With `fitted` a box also has surface points on all
+ * faces that are no symmetry lines. 0, or a fault: 2 if `fitted` and the scene has no such
+ * arrangement, 1 if memory runs out. */
 int layout_make(Layout *out, const Scene *scene, double spacing, int count, bool fitted,
                 Fault *fault);
 

@@ -33,7 +33,8 @@ void material_kirchhoff_weighted(const Material *m, const double *const F[NMAT],
 /* Stored energy per reference volume psi [J/m^DIM] for n particles. */
 void material_stored_energy(const Material *m, int n, const double *const F[NMAT], double psi[]);
 
-/* sigma_zz of plane strain [Pa] = (T_zz)/J: lambda ln J / J; 0 in 1D. */
+/* sigma_zz of plane strain [Pa], T_zz/J: lambda ln J/J, or lambda tr(F - I)/J of the linear law; 0
+ * in 1D; without meaning in 3D. */
 double material_out_of_plane_stress(const Material *m, const Mat F);
 
 /* Largest principal value of a symmetric tensor. */

@@ -21,7 +21,7 @@
 
 enum {
     MAX_WIDTH = 33,                    /* nodes per axis that a stencil may span */
-    MAX_ROUNDS = 16,                   /* of a velocity filter */
+    MAX_ROUNDS = 16,                   /* rounds of a velocity filter */
     MAX_OWN = IN_THIS_DIM(2, 8, 24),   /* fields of a method's own per particle */
     MAX_PARTS = IN_THIS_DIM(3, 9, 27), /* parts whose velocities an update may read */
     MAX_LIST = IN_THIS_DIM(4, 16, 64), /* nodes that a particle may list */
@@ -39,7 +39,7 @@ typedef enum { STRAIN_LINEAR, STRAIN_EXPONENTIAL, STRAIN_SUBCYCLED } StrainUpdat
  * positions X, once for the whole run, with the first Piola stress P and the gradient in X. */
 typedef enum { FRAME_CURRENT, FRAME_TOTAL } Frame;
 
-/* What a gather is for; the integrator says. */
+/* What a gather updates; the integrator chooses. */
 enum {
     TAKE_V = 1,     /* velocities from a */
     TAKE_X = 2,     /* positions from v */
@@ -74,7 +74,7 @@ enum { T_S, T_G, T_R, TABLES }; /* S [-], G = dS/dx_p [1/cell], R = S r [cell] *
 
 typedef struct Stencil {
     bool on_node;    /* tents: some particle lies on a node of this axis (on_node.c) */
-    int base[CHUNK]; /* first node that each particle sees */
+    int base[CHUNK]; /* first node of each particle's stencil */
     Field table[TABLES][MAX_WIDTH];
 } Stencil;
 
@@ -107,7 +107,7 @@ typedef struct NodeList {
     int cells;               /* per unit length, for an update that asks */
 } NodeList;
 
-/* The grid as `list` sees it. Positions in cells count from node 0. */
+/* The grid, as `list` and `reach` need it. Positions in cells count from node 0. */
 typedef struct Place {
     int cells;             /* per unit length */
     int origin[DIM];       /* node 0 lies at x = origin/cells */
@@ -150,9 +150,12 @@ typedef struct Method {
      * total frame a chunk's x is X, and F = I. They take neither slopes B nor moments. */
     void (*list)(const Chunk *c, const Place *g, const Field x[], NodeList *out);
     void (*reach)(const Chunk *c, const Place *g, Field out);
-    int points; /* parts whose velocity an update reads: sum_k N_k v_a of part c is
-                 * sums[POINT_SUMS + c DIM + a]; at most MAX_PARTS. In the total frame 0, as */
-    bool modes; /* points do not move; but not with modes: each part deposits NodeList.v, too */
+
+    /* Parts whose velocities an update reads, at most MAX_PARTS: component a of part c, sum_k N_k
+     * v_a, is sums[POINT_SUMS + c DIM + a]. In the total frame these are 0, because there points
+     * do not move; with `modes` they are gathered there, too. */
+    int points;
+    bool modes; /* each part deposits the velocity NodeList.v in addition to the particle's */
 
     /* Names of the method's own fields, at most MAX_OWN, ended by NULL; or NULL: none. They are
      * kept, sorted and written with the particle's others. `start` fills them. */
@@ -192,11 +195,12 @@ typedef struct Method {
     void (*patches)(const struct Sim *sim, PatchVisit *visit, void *own);
 
     /* Unit outward normal of the body's surface near a node, by the last `assemble`; false: no
-     * surface is near. Of methods that reconstruct one, for contact; or NULL. */
+     * surface is near. Contact uses it. NULL: the method reconstructs no surface. */
     bool (*normal)(const struct Sim *sim, size_t node, double n[DIM]);
 
-    /* Its workspace Sim.own, once a run (false: out of memory), of node_bytes a grid node; and how
-     * it chooses its stages by parameter: `adapt` changes the run's own copy of this struct. */
+    /* make: allocates the workspace Sim.own once per run, node_bytes per grid node; false: out of
+     * memory. free: frees it. adapt: changes the run's own copy of this struct according to the
+     * parameters; called before everything else. Any of them may be NULL. */
     size_t node_bytes;
     bool (*make)(struct Sim *sim);
     void (*free)(struct Sim *sim);

@@ -22,8 +22,9 @@ static double sample(const Raster *r, const int index[DIM])
     return r->halfway ? grey >= r->threshold : grey;
 }
 
-/* Samples lie at (i + 1/2) pixel. Between a dark and a light one, halfway is where grey is 1/2. */
-double raster_grey(const Raster *r, const Vec x)
+/* Grey at x [m], from 0 to 1. Samples lie at (i + 1/2) pixel. Between a dark and a light one,
+ * halfway is where grey is 1/2. */
+static double grey_within(const Raster *r, const Vec x)
 {
     int low[DIM];
     double part[DIM], sum = 0;
@@ -46,7 +47,7 @@ double raster_grey(const Raster *r, const Vec x)
 
 bool raster_is_in(const Raster *r, const Vec x)
 {
-    return raster_grey(r, x) < (r->halfway ? 0.5 : r->threshold);
+    return grey_within(r, x) < (r->halfway ? 0.5 : r->threshold);
 }
 
 /* A lattice over the image, a point more than it needs at both ends. */

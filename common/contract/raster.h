@@ -16,12 +16,11 @@ typedef struct Raster {
     unsigned mirrors; /* bit d: x_d = 0 is a plane of symmetry */
 } Raster;
 
-/* Grey at x [m], from 0 to 1. */
-double raster_grey(const Raster *r, const Vec x);
+/* Is the place x [m] in the body? */
 bool raster_is_in(const Raster *r, const Vec x);
 
-/* Adds the particles at the places (i + 1/2) spacing that are in the body; and surface points where
- * lines of a lattice cross its surface, about layout_surface_spacing apart, with normals from the
+/* Add particles at the places (i + 1/2) spacing that are in the body; surface points where lines of
+ * a lattice cross its surface, about layout_surface_spacing apart, with normals from the
  * gradient of the grey within the larger of that spacing and three pixels. */
 void raster_add_particles(const Raster *r, double spacing, Layout *out);
 void raster_add_surface(const Raster *r, double spacing, Layout *out);

@@ -99,8 +99,9 @@ typedef struct Solver {
      * setup->reactions asks for it. */
     void (*outside)(const void *self, Vec out);
 
-    /* Shows every polygon of the mesh or of the grid's cells as the last step had them; NULL: none.
-     * `elements`: they carry strain, in a fixed order. */
+    /* Calls `visit` for every polygon of the mesh, or of the grid's cells as the last step had
+     * them; NULL: there are none. `elements`: the polygons are elements, which carry strain and
+     * come in a fixed order. */
     void (*patches)(const void *self, PatchVisit *visit, void *own);
     bool elements;
 

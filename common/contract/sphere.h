@@ -12,7 +12,7 @@ void sphere_turn(const double axis[3], double angle, Mat turn);
 /* Adds points at mid angles of the sphere of radius R about the scene's body [m], about `spacing`
  * apart, n = ceil(sqrt(pi/6) R/spacing) rows of n on the quarter of a face; each has its exact
  * solid angle's share of a shell of thickness dr. dr = 0: surface points as in layout_add_arc.
- * Octant or whole, turned: as the scene says. */
+ * One octant (scene->octant) or the whole sphere, turned by scene->turn. */
 void sphere_add(Layout *out, const Scene *scene, double R, double dr, double spacing, int side);
 
 /* Spheres at the mid radii of layers of equal thickness, at most `spacing`, from inner to outer. */

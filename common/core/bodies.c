@@ -30,14 +30,14 @@ void bodies_free(Bodies *b)
     contact_free(&b->contact);
 }
 
-/* Setup of one of two bodies: its share of a number of particles is that of its length. */
+/* Setup of body b of two. A number of particles is divided in proportion to the bodies' lengths. */
 static void set_part(Bodies *c, const Setup *whole, int b)
 {
     Setup *s = &c->setup[b];
     double length[2];
     *s = *whole;
     s->scene = &c->scene[b];
-    s->snapshot_nodes = true; /* contact looks at masses */
+    s->snapshot_nodes = true; /* contact needs the nodes' masses */
     if (b && whole->method_b) s->method = whole->method_b, s->method_par = whole->method_b_par;
     for (int k = 0; k < 2; k++) {
         c->scene[b] = *whole->scene;

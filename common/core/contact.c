@@ -15,7 +15,7 @@
  * Positions and strains follow the velocities after P. Particles receive of P only the share
  *
  *   seen        [(a_a - a_b) . n dt + k w] / [(v_a - v_b) . n], at least 0 and at most 1, where w
- * is the approach before acceleration and k = min(1, c dt/(2 h)),
+ *               is the approach before acceleration and k = min(1, c dt/(2 h)),
  *
  * so that accelerations are equal at once, and the approach that is left in particle velocities
  * decays in the time that a wave takes through two cells. With k = 1 every node that comes into
@@ -131,8 +131,8 @@ static void set_motion(Grid *g, size_t at, int a, double v, double acc)
     for (int b = 0; b < DIM; b++) (*node)[FLUX + b * DIM + a] = v;
 }
 
-/* Gives P to the first body and -P to the second, of which particles see a share. What a wall takes
- * out of a held body is its impulse on the two. */
+/* Gives P to the first body's node and -P to the second's; particles receive the share `seen` of
+ * it. Of held components the wall bears that share: added to `impulse`. */
 static void give(Contact *c, const Spot *s, const double P[DIM], double seen, double dt,
                  double impulse[DIM])
 {

@@ -155,7 +155,7 @@ static void clear_all(Sim *sim)
         if (g->lo[row] < g->hi[row]) clear_row(g, row);
 }
 
-/* Stress of the particles on nodes, which the deposit left out. */
+/* Adds the stress of particles on nodes, which the deposit left out. */
 static void deposit_slopes(Sim *sim, int k, Work *w)
 {
     const Chunk c = sim_chunk(sim, k);

@@ -39,7 +39,7 @@ inspect_by(const Domain domain, const Sim *sim, const Chunk *c, const Work *w, E
     e->bad |= bad != 0;
 }
 
-/* The same of general weights, whose reach is the method's to say. */
+/* Half widths of general weights: the method states how far they reach. */
 static void inspect_reach(const Sim *sim, const Chunk *c, Extremes *e)
 {
     const Place place = sim_place(sim);
@@ -162,7 +162,6 @@ void gather_velocity(Sim *sim)
     }
 }
 
-/* Gathers to all particles and updates travel and half_now. Returns true if any went wrong. */
 bool gather_all(Sim *sim, double dt, unsigned take)
 {
     double move = 0, half = 0;

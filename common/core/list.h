@@ -61,7 +61,8 @@ static inline __attribute__((always_inline)) void deposit_parts(Grid *g, const W
         }
 }
 
-/* What the parts find, for a method that moves points of its own: own[c DIM + a] is v_a. */
+/* Gathers with general weights; own[c DIM + a], if own is not NULL: v_a of part c, for methods that
+ * move points of their own. */
 static inline __attribute__((always_inline)) void gather_parts(const Grid *g, Work *w, Field own[],
                                                                const int part)
 {
@@ -102,8 +103,8 @@ static inline __attribute__((always_inline)) void gather_list(const Grid *g, Wor
         gather_parts(g, w, NULL, w->list.part);
 }
 
-/* Also the velocities of a particle's points; none of the reference grid moves. (Those of modes are
- * read there, too.) */
+/* Gathers also the velocities of a particle's parts. On the reference grid points do not move: they
+ * are 0, except of modes. */
 static inline void gather_list_and_points(const Sim *sim, Work *w)
 {
     const int points = sim->method.points;

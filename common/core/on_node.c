@@ -10,7 +10,7 @@
  *
  *   both + and -    G = (-1, 0, 1)/2h, the mean of the two cells, as of a vanishing GIMP box
  *   one of them     the cell that has it
- *   neither         G = 0: the particle spans nothing along this axis, and feels no stress along it
+ *   neither         G = 0: the particle gives no force along this axis and gets no strain from it
  *
  * In every case sum_i G_i = 0 and, but in the last, sum_i G_i (x_i - x_p) = 1, over nodes that have
  * mass. The first makes L = 0 of a uniform velocity and sum_i f_i = -T sum_i G_i = 0: no momentum

@@ -6,7 +6,7 @@
 /* The sims of a scene's bodies, with what their views need on the side. */
 typedef struct Core {
     Bodies all;
-    Status start; /* a scene that is wrong from the start says so at its first step */
+    Status start;                /* fault of the initial state, which the first step returns */
     double *x[DIM], *v[DIM], *m; /* live nodes, if asked for */
 } Core;
 

@@ -1,6 +1,6 @@
 /* parts.h: deposit and gather of scheme.h where a line is wider than the machine's vectors (3D): in
- * parts of their width, one after the other, so that a part's weights stay in registers: 3 an axis,
- * the usual stencil. Others go as scheme.h has it. */
+ * parts of their width, one after the other, so that a part's weights stay in registers. For
+ * stencils of 3 nodes per axis, the usual ones; others use scheme.h's loops. */
 #ifndef MPMLAB_PARTS_H
 #define MPMLAB_PARTS_H
 
@@ -60,8 +60,8 @@ typedef struct Strides {
     size_t row, plane;
 } Strides;
 
-/* What a part gives to a row of nodes, and to a plane of rows: `value` at the first; with `slopes`,
- * `step` more from node to node and `next` more from row to row. */
+/* Adds a part to a row of nodes, and to a plane of rows: `value` is that at the first node; with
+ * `slopes` it grows by `step` from node to node and by `next` from row to row. */
 static inline __attribute__((always_inline)) void add_row(Part *to, const Three x, Part value,
                                                           const Part step, const bool slopes)
 {

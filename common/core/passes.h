@@ -14,13 +14,15 @@ typedef enum { MOTION, FORCES, ROUND } Deposit;
 
 void deposit_all(Sim *sim, double t, Deposit what);
 
-/* v = p/m, a = f/m times `scale`, walls, v += a dt, symmetry; and the momentum that was given. */
+/* v = p/m, a = f/m times `scale`, walls, v += a dt, symmetry; adds the momentum that nodes give to
+ * particles, less internal forces, to sim->impulse. `force`: forces were deposited. */
 void solve_all(Sim *sim, double dt, double scale, bool force);
 
-/* Takes TAKE_* to the particles. Returns whether one of them may have gone wrong (sim_check). */
+/* Updates what `take` (TAKE_*) names of all particles; travel and half_now, too. Returns whether a
+ * particle may have gone wrong (sim_check says which). */
 bool gather_all(Sim *sim, double dt, unsigned take);
 
-/* With a method of moments: what a particle keeps starts as L D, not L. */
+/* Start of a method of moments: particles keep L D instead of L. */
 void gather_start_moments(Sim *sim);
 
 /* Of every slot: L [1/s] of the grid velocity (L NULL: not asked for), D = sum_i S (x_i - x_p)^2
@@ -30,9 +32,9 @@ void gather_gradient(Sim *sim, double *const L[NMAT], double *const D[DIM]);
 /* w = S v of every particle, for a filter's round. */
 void gather_velocity(Sim *sim);
 
-/* Tents and particles on nodes: the slope there; on_node.c. After a deposit that saw such particles
- * on_node_mark_body notes which nodes are the body's; then they give their stress, and later gather
- * L. (Their stencils: sim.h.) */
+/* Slope of tents for particles that lie on nodes; on_node.c. After a deposit with such particles
+ * on_node_mark_body marks the nodes that have mass; then these particles' stress is deposited, and
+ * later their L is gathered. (Their stencils: on_node_clear_slopes, sim.h.) */
 void on_node_mark_body(Sim *sim);
 void on_node_deposit(Sim *sim, const struct Work *w);
 void on_node_gather(const Sim *sim, struct Work *w);

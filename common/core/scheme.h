@@ -12,10 +12,10 @@
 #include "sim.h"
 #include "stretch.h"
 
-/* The widest vectors of this build. Lines within one are shuffled; the compiler takes wider ones
- * apart, at a higher cost than arithmetic with zeros and ones. */
+/* The widest vectors of this build. A line that fits into one is assembled by a shuffle; wider ones
+ * by products with zeros and ones, since the compiler would shuffle them lane by lane. */
 #if defined(__AVX512F__)
-enum { VECTOR_BYTES = 64, REGISTERS = 16 }; /* half of them: the rest is at work */
+enum { VECTOR_BYTES = 64, REGISTERS = 16 }; /* for sums; the other half holds operands */
 #elif defined(__AVX__)
 enum { VECTOR_BYTES = 32, REGISTERS = 4 };
 #else
@@ -29,7 +29,7 @@ enum { LINE_IS_VECTOR = (int)sizeof(Line) <= VECTOR_BYTES };
 #define SHUFFLE(a, b, from) __builtin_shuffle(a, b, from)
 #endif
 
-/* What one thread needs for one chunk; lives on its stack. */
+/* Scratch of one thread for one chunk, on its stack. */
 typedef struct Work {
     Field x[DIM], b[DIM]; /* positions and half widths [cells], from node 0 */
     Stencil stencil[DIM];
@@ -132,7 +132,7 @@ axis_weight(const Stencil s[DIM], int d, int k, int p, const Pattern *q, const u
 #define FOR_ROWS(r, width)                                                                         \
     for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? width : width * width); r++)
 
-/* Index of the first node that particle p sees. */
+/* Index of the first node of particle p's stencil. */
 static inline size_t first_node(const Grid *g, const Stencil s[DIM], int p)
 {
     size_t row = 0;

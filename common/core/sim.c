@@ -8,7 +8,8 @@
 #include "sim.h"
 #include "skin.h"
 
-/* How far half widths may grow before they are capped: stretch 4, or one cell and a half. */
+/* Cap of half widths [cells]: a stretch of 4, at least 1.5 cells; of general weights, the widest.
+ */
 static double widest_half(double half, bool list)
 {
     const double most = (MAX_WIDTH - 5) / 2.0;
@@ -53,7 +54,7 @@ static bool has_moving_walls(const Scene *scene)
     return false;
 }
 
-/* Grid nodes start as untouched zero pages: only live spans ever cost memory. */
+/* Nodes are allocated and not touched here: only live spans ever cost memory. */
 static bool grid_alloc(Sim *sim)
 {
     Grid *g = &sim->g;
@@ -130,8 +131,8 @@ double sim_node_bytes(const Sim *sim)
            (forces ? 8.0 * DIM : 0);
 }
 
-/* Bytes that a scene will need, before anything is allocated; doubles, so that nothing overflows.
- * The layout has positions and normals of its own. */
+/* Estimate of the bytes that a run needs, before any is allocated; a double cannot overflow. The
+ * layout has positions and normals of its own. */
 static double bytes_needed(const Sim *sim, double particles)
 {
     const Scene *scene = sim->setup->scene;
@@ -205,7 +206,7 @@ static void fill_particles(Sim *sim, const Layout *layout)
     sim->mass_body = ON_NODE * mean;
 }
 
-/* Initial state: x = X + u, and v, F, L as the scene says. */
+/* Initial state: x = X + u; u, v, F, L from Problem.start. */
 static bool start_particles(Sim *sim)
 {
     Particles *p = &sim->p;
@@ -294,20 +295,4 @@ void sim_free(Sim *sim)
     for (int d = 0; d < DIM; d++) free(p->key[d]);
     skin_free(sim->skin);
     free(sim);
-}
-
-bool sim_is_valid(const Sim *sim)
-{
-    const Particles *p = &sim->p;
-    int real = 0;
-    if (p->n % CHUNK || p->n > p->room) return false;
-    for (int k = 0; k < p->n; k++) {
-        real += p->id[k] >= 0;
-        if (p->id[k] < 0 && p->field[AT_M][k] > 0) return false;
-    }
-    for (int b = 1; b < sim->nblock; b++)
-        if (sim->block[b].first != sim->block[b - 1].last) return false;
-    for (int r = 0; r < sim->g.rows; r++)
-        if (sim->g.hi[r] > sim->g.n[0] || (sim->g.hi[r] > 0 && sim->g.lo[r] < 0)) return false;
-    return real == p->count;
 }

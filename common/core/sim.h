@@ -68,7 +68,7 @@ typedef struct Grid {
     double *force;       /* [rows * n[0]][DIM] body force [N], or NULL */
     double *outward;     /* [rows * n[0]][DIM] sum of V dS/dx over the cells, which is the integral
                           * of S n over their outer boundary [m^(DIM-1)]; or NULL */
-    double *mass;        /* [rows * n[0]] copy for who looks at nodes, or NULL */
+    double *mass;        /* [rows * n[0]] [kg] of the last solve, 0: empty; NULL: not kept */
     unsigned char *body; /* [rows * n[0]] the node is the body's, for particles on nodes */
     Axis axis[DIM];      /* where walls stand, for shapes that fold their weights there */
     unsigned char *hold[DIM]; /* [n[d]] bit a: component a is held at this index of axis d */
@@ -135,7 +135,7 @@ void sim_free(Sim *sim);
 double sim_particle_bytes(const Sim *sim);
 double sim_node_bytes(const Sim *sim);
 
-/* Are order, spans and sizes consistent? For assertions and tests. */
+/* Are order, spans and sizes consistent? For assertions and tests; sort.c. */
 bool sim_is_valid(const Sim *sim);
 
 /* Fills the method's own fields from x and F, and finds the widest half width. */
@@ -173,22 +173,31 @@ typedef struct Given {
 } Given;
 
 /* Symmetry: ghosts beyond each mirror line are added to their images (fold, after a deposit; body
- * force too) and filled from them (unfold, before a gather); mirror.c. All by parity per component,
- * so that no method knows of it. unfold also adds the momentum that real particles receive from
- * ghost nodes to the ledger. */
+ * force too) and filled from them (unfold, before a gather); mirror.c. Each component has its
+ * parity, so that methods need no code for symmetry. unfold also adds the momentum that real
+ * particles receive from ghost nodes to the ledger. */
 void mirror_fold(Sim *sim);
+void mirror_unfold(Sim *sim, Given given);
+
+/* Calls `visit` for every ghost and its image, mirror by mirror; `back`: in the order in which
+ * ghosts are filled from images. */
 typedef void PairVisit(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
                        void *own);
-void mirror_visit_pairs(Sim *sim, bool back, PairVisit *visit,
-                        void *own); /* ghosts, their images */
-void mirror_unfold(Sim *sim, Given given);
+void mirror_visit_pairs(Sim *sim, bool back, PairVisit *visit, void *own);
+
+/* Widens live spans until the image of every live ghost is live. */
 void mirror_spans(Grid *g);
-void mirror_move_walls(Sim *sim, double t); /* what moving walls hold at time t, and how fast */
-void mirror_set_walls(Sim *sim); /* walls as data of the grid: what is held, and mirrors by axis */
-void mirror_wall_images(
-    Sim *sim); /* nodes beyond a wall: odd images of what it holds, even ones else */
-bool mirror_is_ghost_row(const Grid *g, int row,
-                         int above); /* of a mirror across an axis > above */
+
+/* Is this row a ghost of a mirror across an axis beyond `above`? */
+bool mirror_is_ghost_row(const Grid *g, int row, int above);
+
+/* Turns the scene's walls into data of the grid: held components, mirrors, unilateral walls. Then
+ * what moving walls hold at time t, and their velocity. */
+void mirror_set_walls(Sim *sim);
+void mirror_move_walls(Sim *sim, double t);
+
+/* Fills nodes beyond a wall with images: odd ones of components that it holds, else even ones. */
+void mirror_wall_images(Sim *sim);
 
 /* Which components unilateral walls hold at node i of a row, whose p and f are those of the
  * equations of motion over dt [s]; solve.c. */

@@ -126,7 +126,7 @@ static void find_forces(Skin *s, const Scene *scene, double t)
         for (int p = 0; p < s->n; p++) s->force[d][p] *= s->area[p];
 }
 
-/* Number of the node at grid index `index`, NOWHERE if it has no mass. */
+/* Number of the node at grid index `index`; NOWHERE if it has no mass or is not live. */
 static size_t massive_node(const Sim *sim, const int index[DIM])
 {
     const Grid *g = &sim->g;
@@ -233,8 +233,8 @@ static void sum_point(Skin *s, int p)
             s->sum[s->foot[p].node[k]][c] += s->foot[p].weight[k] * own[c];
 }
 
-/* The mean traction near a node times its share of the boundary of the cells, as far as that looks
- * the way the loaded points do. On a symmetry plane the cells' boundary includes the plane, whose
+/* The mean traction near a node times its share of the boundary of the cells, projected on the mean
+ * normal of the loaded points. On a symmetry plane the cells' boundary includes the plane, whose
  * share the mirrored body takes back. The sums are cleared, so that each node counts once. */
 static void load_node(Sim *sim, Skin *s, size_t at)
 {

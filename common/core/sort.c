@@ -66,8 +66,8 @@ static void cut_blocks(Sim *sim, const int order[], int source[])
 }
 
 /* Padding is a massless copy of a real particle and stays one, bit for bit. With a state of its own
- * it would see nodes that no real particle sees, of round-off mass and any velocity, and its F
- * would go to NaN, which times no mass is still NaN. */
+ * it would gather from nodes that no real particle reaches, of round-off mass and any velocity, and
+ * its F would become NaN, which times a mass of 0 is still NaN. */
 static void unload_padding(Sim *sim)
 {
     Particles *p = &sim->p;
@@ -119,9 +119,9 @@ static void touch_rows(Grid *g, const int cell[DIM], int lo, int hi, int down, i
     }
 }
 
-/* A particle in cell c sees nodes c - half .. c + 1 + half, about node c less by one; it may drift
- * by one cell until the next sort. Where symmetry folds the grid, a ghost's image must be live,
- * too. */
+/* The stencil of a particle in cell c lies within nodes c - half .. c + 1 + half, or c - half .. c
+ * + half if it is centred on node c; until the next sort the particle may drift by one cell. Where
+ * symmetry folds the grid, a ghost's image must be live, too. */
 static void find_spans(Sim *sim, const int order[])
 {
     Grid *g = &sim->g;
@@ -165,4 +165,20 @@ void sim_sort(Sim *sim)
     permute(sim, source);
     sim->travel = 0;
     if (first && sim->method.moments) gather_start_moments(sim);
+}
+
+bool sim_is_valid(const Sim *sim)
+{
+    const Particles *p = &sim->p;
+    int real = 0;
+    if (p->n % CHUNK || p->n > p->room) return false;
+    for (int k = 0; k < p->n; k++) {
+        real += p->id[k] >= 0;
+        if (p->id[k] < 0 && p->field[AT_M][k] > 0) return false;
+    }
+    for (int b = 1; b < sim->nblock; b++)
+        if (sim->block[b].first != sim->block[b - 1].last) return false;
+    for (int r = 0; r < sim->g.rows; r++)
+        if (sim->g.hi[r] > sim->g.n[0] || (sim->g.hi[r] > 0 && sim->g.lo[r] < 0)) return false;
+    return real == p->count;
 }

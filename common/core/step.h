@@ -8,7 +8,7 @@
 /* What each integrator is called and does, in the order of Integrator. */
 extern const Info step_integrators[INTEGRATORS];
 
-/* Does its first step take half the acceleration, so that velocities live half a step after t? */
+/* Does its first step take half the acceleration, so that velocities belong to t + dt/2? */
 bool step_half_first(Integrator i);
 
 /* True if F follows the velocities before they are accelerated (usf). */
@@ -17,7 +17,7 @@ bool step_strain_first(Integrator i);
 /* One step from t to t + dt [s]; `first` takes the half first step where the integrator has one;
  * there a changes v over the mean of this dt and the one before, from middle to middle.
  * Returns the first thing that went wrong (lowest particle id), with the particles left as they
- * are; a Sim that went wrong takes no more steps and says the same again. */
+ * are; a Sim that went wrong takes no more steps and returns the same status again. */
 Status sim_step(Sim *sim, double t, double dt, bool first);
 
 /* The same for n bodies pass by pass; `meet` comes in every pass when the nodes of all bodies have

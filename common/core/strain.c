@@ -1,7 +1,7 @@
 /* strain.c: see strain.h. With L constant over the step F' = L F has the solution exp(dt L) F,
  * whose J is exp(dt tr L) J: a spin keeps it. F += dt L F multiplies J by 1 + (w dt)^2 instead.
  *
- * In a run where v lives half a step after x, L is that of the secant from x to x + dt v, and I +
+ * Where v belongs to half a step after x, L is that of the secant from x to x + dt v, and I +
  * dt L its exact gradient: the linear rule is the consistent one there, and exp(dt L) shrinks a
  * spinning body by (w dt)^2/2 a step along each axis. */
 #include "strain.h"

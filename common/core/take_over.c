@@ -1,4 +1,4 @@
-/* take_over.c: a run goes on with another method on the same particles (passes.h).
+/* take_over.c: a run goes on with another method on the same particles (sim.h).
  *
  * Particles keep x, v, F, m, V0, so that momentum and energy stay. A gradient L that the next
  * method keeps is that of the method before or, if it kept none, that of its grid velocities. Where
@@ -7,14 +7,15 @@
  *   M_ab = m (D_a L_ba - D_b L_ab),
  * 0 if the method before had no affine part. If the next one has none, the body's sum of M_ab goes
  * to its particles as a rigid rotation; not in a scene with symmetry lines, whose mirrored body has
- * the opposite sum. Surface points move with the nearest particles, if they are not there yet. */
+ * the opposite sum. Surface points that the first method did not have are moved with the mean
+ * motion of the particles within two cells. */
 #include <math.h>
 #include <stdlib.h>
 #include "passes.h"
 #include "skin.h"
 #include "step.h"
 
-/* A particle's gradient, its spreads D [m^2], and M of the planes (a, b), a < b, over its mass. */
+/* A particle's gradient, its spreads D [m^2], and M/m of the planes (0, 1), (0, 2), (1, 2). */
 typedef struct Affine {
     Mat L;
     Vec D;
@@ -40,7 +41,7 @@ static int slots_by_id(const Sim *sim, bool surface, int slot[])
     return n;
 }
 
-/* M_ab over m of plane k in order (0, 1), (0, 2), (1, 2), or what L adds to it. */
+/* M_ab/m of L: the particle's angular momentum in the plane (a, b) over its mass. */
 static double turn_of(const Affine *s, int a, int b)
 {
     return s->D[a] * s->L[b * DIM + a] - s->D[b] * s->L[a * DIM + b];
@@ -229,7 +230,7 @@ static bool turn_gradients(Sim *to, const Affine state[], const int mine[], cons
 int sim_take_over(Sim *to, Sim *from, Fault *fault)
 {
     double lost[3] = {0};
-    if (sim_project(from).code != OK) /* its state stays: the step that follows says why */
+    if (sim_project(from).code != OK) /* its state stays: the next step returns the reason */
         from->status = (Status){OK, -1, 0};
     Affine *state = calloc((size_t)from->p.n + 1, sizeof *state);
     int *mine = malloc(sizeof(int) * ((size_t)to->p.count + 1));

@@ -1,8 +1,7 @@
-/* engine.c: this dimension as the program sees it: the one symbol that stays visible. */
+/* engine.c: this dimension's Engine, the one symbol that stays visible after linking. */
 #include <math.h>
 #include <string.h>
 #include "settings.h"
-#include "common/core/sim.h"
 #include "common/core/step.h"
 
 static int resolve(RunSpec *spec, Fault *fault)
@@ -88,7 +87,7 @@ static void say_integrators(unsigned set, const char *more, FILE *out)
 static void say_memory(const Method *m, FILE *out)
 {
     if (!m) return;
-    const Setup setup = {.method = m, .integrator = m->integrator[DIM]};
+    const Setup setup = {.method = m, .integrator = (Integrator)m->integrator[DIM]};
     const Sim sim = {.setup = &setup, .method = *m};
     fprintf(out, "memory\t%g\tbytes\tper particle in %dD\n", sim_particle_bytes(&sim), DIM);
     fprintf(out, "memory\t%g\tbytes\tper live node in %dD\n", sim_node_bytes(&sim), DIM);

@@ -31,7 +31,7 @@ typedef struct Engine {
      * parameters and the run settings that act on it, wave speeds. 0, or -1 if unknown. */
     int (*describe)(const char *name, FILE *out);
 
-    /* Has the problem, by default, an exact solution, so that rows give errors? */
+    /* Does the problem, by default, have an exact solution, so that rows give errors? */
     int (*has_exact)(const char *problem);
 
     /* 1D weights S [-] and gradients G [1/m] that a particle at x with half width l (cell size 1,

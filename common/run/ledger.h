@@ -27,8 +27,9 @@ double ledger_strain(const Scene *scene, const Samples *q, int threads, Scratch 
  * none; the others are NAN. */
 void ledger_angular_momentum(const Points *p, double out[3]);
 
-/* [J] Work of the body forces of time t on the way of each point from from[DIM][id]: sum of
- * m b(X, t) . (x - from). Velocities do not enter: FLIP particles do not move with their own. */
+/* [J] Work of the body forces of time t on each point's displacement from from[DIM][id] to x: the
+ * sum of m b(X, t) . (x - from). FLIP particles do not move with their own velocities, so these do
+ * not enter. */
 double ledger_work(const Scene *scene, const Points *p, ConstFields from, double t, Scratch *s);
 
 /* Id of the fastest point with mass (the lowest of equals; -1: none), and its speed [m/s]. */

@@ -27,11 +27,11 @@ typedef struct Loop {
     const Plan *plan;
     const volatile sig_atomic_t *stop; /* RunSpec.stop */
     void *self;
-    Handover handover; /* AT_NEVER: none, */
-    long taken_over;   /*   steps done before it; -1: not yet */
-    double taken_at;   /* [s] then */
-    Counts earlier;    /*   what the first method has counted, */
-    Vec given;         /*   and the impulse that it got [kg m/s] */
+    Handover handover; /* to a second method; .at = AT_NEVER: none */
+    long taken_over;   /* steps done before the hand-over; -1: not yet */
+    double taken_at;   /* [s] time of the hand-over */
+    Counts earlier;    /* counts of the first method's solver at the hand-over */
+    Vec given;         /* [kg m/s] impulse that the first method's solver has given */
     Stash undo;        /* AT_INVERTED: the particles before the step under way */
     Save save;
     Scratch scratch;
@@ -39,9 +39,9 @@ typedef struct Loop {
     Snapshots shots; /* dir NULL: none are asked for */
     int code;        /* 0, or what went wrong with an output */
     Fault *fault;
-    double dt;                  /* [s] of this step, */
-    double dt_before;           /*   of the one before, 0: none; */
-    double t;                   /*   its start */
+    double dt;                  /* [s] length of this step */
+    double dt_before;           /* [s] of the step before; 0: none, or steps are constant */
+    double t;                   /* [s] start of this step */
     double unit_dt;             /* [s] h/c, or what the solver has instead */
     long n, done;               /* steps planned and finished */
     double cpu, wall;           /* [s] inside the solver's step */
@@ -57,11 +57,11 @@ typedef struct Loop {
     double drift, momentum; /* largest |p - p0 - impulse|, largest sum m |v| */
     Status status;
     double failed_at; /* [s] */
-    double growth_t;  /* [s] of the */
-    long growth_step; /* first step with too much energy, or -1 */
-    int fastest;      /* point then, and its speed [m/s] */
-    double speed;
-    Moment last; /* what is known of the last instant */
+    long growth_step; /* first step with too much energy (ENGINE_GROWTH), or -1 */
+    double growth_t;  /* [s] its start */
+    int fastest;      /* id of the fastest point then */
+    double speed;     /* [m/s] of that point */
+    Moment last;      /* the last instant, recorded when its kinetic energy is known */
     Probes probes;
     Reactions reactions;
 } Loop;
@@ -71,19 +71,23 @@ typedef struct Loop {
 void pace_choose(Loop *l);
 void pace_adapt(Loop *l);
 
-/* Is t_end, or the last step, reached? End [s] of the step under way; the last one ends at t_end in
- * every bit. Share of the second of two half steps in the instant between them. */
+/* Is t_end, or the last step, reached? */
 bool pace_is_over(const Loop *l);
+
+/* End [s] of the step under way; that of the last one is t_end to the last bit. */
 double pace_end_of_step(const Loop *l);
+
+/* Weight w of the half step after an instant: K = (1 - w) K_before + w K_after. */
 double pace_share_after(const Loop *l);
 
 /* Stores the positions of all points for loop_record_work; frees them. false: out of memory. */
 bool loop_open(Loop *l);
 void loop_close(Loop *l);
 
+/* Kinetic energy and momentum of the velocities now; and what depends on positions and F: stored
+ * energy and, with a history, probes, volume, angular momentum. */
 Side loop_measure_side(Loop *l);
-void loop_measure_state(Loop *l,
-                        Moment *m); /* what depends on positions and F: energy, volume, ... */
+void loop_measure_state(Loop *l, Moment *m);
 
 /* Sets the energy that growth is measured from: given both sides of the first step and S. */
 void loop_record_start(Loop *l, const Side *before, const Side *after, double strain);
@@ -94,23 +98,23 @@ void loop_record_momentum(Loop *l, const Side *after);
 void loop_record_work(Loop *l, double t); /* of the step from t that has just been finished */
 void loop_record_errors(Loop *l, Errors e);
 
-/* Hand-over, before step `done` is taken: is it due; do it, with *before as it is then. False: a
+/* Hand-over, before step `done` is taken: is it due? Then do it and measure *before again. False: a
  * fault, in l->code. relay.c. */
 bool relay_is_due(const Loop *l);
 bool relay_take_over(Loop *l, Side *before);
 
-/* Keeps what the step to come may break, and whether a step that broke it is to be taken again by
- * the second method. */
+/* AT_INVERTED. Before a step: keeps the particles' state. After one that failed: if a particle was
+ * inverted, restores that state and hands over; true: the step is to be taken again. */
 void relay_before_step(Loop *l);
 bool relay_rescues(Loop *l, Side *before);
 
-/* The same as relay_take_over by a run that resumes behind it: the particles come from its file. */
+/* A resumed run that had been handed over: makes the second method's solver, whose particles are
+ * then read from the file. */
 bool relay_go_on(Loop *l);
 
-/* --checkpoint FILE --every-s N, --resume FILE: rows, histories and particles of a run that was
- * resumed have the bits of those of the whole run; checkpoint.c. */
-/* Between two steps: writes the state if it is time, or `now`. *m, *before: the instant reached. A
- * fault goes to l->code. */
+/* --checkpoint FILE --every-s N, --resume FILE: row, history and particles of a resumed run have
+ * the same bits as those of an uninterrupted one; checkpoint.c. Between two steps: writes the state
+ * if it is time, or `now`. *m, *before: the instant reached. A fault goes to l->code. */
 void checkpoint_write(Loop *l, Moment *m, Side *before, bool now);
 
 /* The state from the file that the run resumes from. 0 or a fault. */

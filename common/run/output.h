@@ -31,7 +31,9 @@ int output_particles(const char *path, const Scene *scene, const Solver *solver,
  * their corners, mass their own), else particles. */
 int output_samples(const char *path, const Scene *scene, const Solver *solver, const void *self,
                    Fault *fault);
-/* What the norms of that instant are made of, in placement order: id,X,Y,error,weight,Z. */
+
+/* Each point's error at time t and its weight in the norms, in placement order:
+ * id,X,Y,error,weight,Z. */
 int output_errors(const char *path, const Scene *scene, const Points *p, double t, Scratch *s,
                   Fault *fault);
 

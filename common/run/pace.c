@@ -13,8 +13,8 @@ void pace_choose(Loop *l)
     l->n = plan->steps > 0 && (double)plan->steps < n ? plan->steps : (long)n;
 }
 
-/* W11 eq 34: the longest step now, not below a thousandth of the first one, which a run that blows
- * up would soon reach. */
+/* W11 eq 34: CFL h/(v_max + max |v_p|), but at least a thousandth of the step of a body at rest:
+ * else a run that diverges would take ever smaller steps and never end. */
 static double longest_step(const Loop *l)
 {
     Points p;

@@ -197,6 +197,11 @@ static int choose_times(RunSpec *spec, Plan *plan, Fault *fault)
                 "--set dt: got 'adaptive', takes a scene in motion, and %s has no time "
                 "steps",
                 spec->problem);
+        if (spec->cfl > 0 || spec->t_end > 0)
+            return fault_set(fault, FAULT_USAGE,
+                             "--%s: got '%g', takes a scene in motion, and %s has no time steps",
+                             spec->cfl > 0 ? "cfl" : "t-end",
+                             spec->cfl > 0 ? spec->cfl : spec->t_end, spec->problem);
         plan->cfl = plan->t_end = 0;
         spec->cfl = spec->t_end = 0;
         return 0;

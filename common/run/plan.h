@@ -37,8 +37,8 @@ typedef struct Handover {
 /* Is a setting of this name part of a hand-over? */
 bool handover_is_setting(const char *name);
 
-/* The hand-over of a resolved first plan, and its settings printed as they are read. at is AT_NEVER
- * without --then. 0 or a fault: what makes no sense together. */
+/* The hand-over of a run whose first plan is resolved; spells out its settings in *spec. at is
+ * AT_NEVER without --then. 0, or a fault if the settings make no sense together. */
 int handover_plan(RunSpec *spec, const Plan *first, Handover *out, Fault *fault);
 
 /* Fills *plan, and every default in *spec. 0 or a fault. */

@@ -1,5 +1,5 @@
-/* relay.c: the hand-over from one method to the next during a run (loop.h). Energy goes on as the
- * particles have it; momentum from walls and body forces is the sum of what both methods got. */
+/* relay.c: the hand-over from one method to the next during a run (loop.h). The ledger goes on: the
+ * energy is the particles', the impulse of walls and body forces the sum over both methods. */
 #include "loop.h"
 
 static Volumes volumes_now(const Loop *l)
@@ -72,7 +72,7 @@ bool relay_take_over(Loop *l, Side *before)
 void relay_before_step(Loop *l)
 {
     if (l->handover.at != AT_INVERTED || l->taken_over >= 0) return;
-    if (!l->undo.f && !(l->undo.f = tmpfile())) return; /* then there is nothing to go back to */
+    if (!l->undo.f && !(l->undo.f = tmpfile())) return; /* no file: the run ends as INVERTED */
     rewind(l->undo.f);
     l->undo.load = l->undo.bad = false;
     l->plan->solver->stash(l->self, &l->undo);

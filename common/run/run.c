@@ -1,8 +1,9 @@
-/* run.c: see solver.h. The time loop around a solver, with norms and ledger outside the clock.
+/* run.c: one run from its spec to a row (run_spec, plan.h): the time loop around a solver. CPU and
+ * wall time are those of the solver's steps, without norms and ledger.
  *
  * Velocities live half a step after positions, so the kinetic energy at t_n is the mean of those
- * before and after step n; the last instant takes one step more for that, whose result is thrown
- * away. */
+ * before and after step n. For the last instant one more step is taken, after the final state
+ * has been written; only its kinetic energy is used. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -70,7 +71,7 @@ static void centre(Moment *m, const Side *before, const Side *after, double w)
     for (int d = 0; d < DIM; d++) m->momentum[d] = (1 - w) * before->p[d] + w * after->p[d];
 }
 
-/* Instants 0 .. n. The kinetic energy of instant k is known after step k. */
+/* Instants 0 .. n - 1: the kinetic energy of instant k is known after the step from k to k + 1. */
 static void run_steps(Loop *l)
 {
     Side before;
@@ -106,7 +107,7 @@ static void run_steps(Loop *l)
         l->t = pace_end_of_step(l);
     }
     if (stopped(l)) checkpoint_write(l, &m, &before, true);
-    m.t = l->t; /* the last instant waits for last_instant */
+    m.t = l->t; /* recorded by last_instant */
     l->last = m;
 }
 
@@ -207,7 +208,7 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
     return 0;
 }
 
-/* A run's key is its command, whoever many threads make it. */
+/* The key of a saved state is the run's command, without the number of threads. */
 static void set_save(Loop *l, RunSpec spec)
 {
     l->save.path = spec.checkpoint;

@@ -1,5 +1,5 @@
 /* settings.h: what every run takes besides the parameters of its problem and method, and how these
- * settings become a Setup. Part of plan.c. */
+ * settings become a Setup. */
 #ifndef MPMLAB_SETTINGS_H
 #define MPMLAB_SETTINGS_H
 

@@ -61,7 +61,7 @@ static inline void corner_nodes(const Place *grid, int c, const Field y[DIM], co
     out->points = out->part = CORNERS;
 }
 
-/* r within the reach of the grid. (NaN becomes its end, and the check of positions finds it.) */
+/* r limited to +-reach. (NaN becomes one of them; the check of positions then finds the fault.) */
 static inline double corner_within(double r, double reach)
 {
     r = r < reach ? r : reach;
@@ -80,7 +80,7 @@ static inline void parallelogram_reach(const Chunk *c, const Place *grid, Field 
         }
 }
 
-/* The same of corners that are the method's own fields c DIM + d [m]. */
+/* The same for corners kept as the method's own fields c DIM + d [m]. */
 static inline void corner_reach(const Chunk *c, const Place *grid, Field out)
 {
     for (int p = 0; p < CHUNK; p++) out[p] = 0;
@@ -91,7 +91,7 @@ static inline void corner_reach(const Chunk *c, const Place *grid, Field out)
         }
 }
 
-/* These at the start: x + F r. */
+/* Corners at the start: x + F r. */
 static inline void start_corners(const Chunk *c, const Place *grid)
 {
     for (int k = 0; k < CORNERS * DIM; k++)

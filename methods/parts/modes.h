@@ -44,7 +44,7 @@ static inline void reach_of_modes(const Chunk *c, const Place *grid, Field out)
     for (int p = 0; p < CHUNK; p++) out[p] = 0.5;
 }
 
-/* At the start there are slopes alone. */
+/* At the start modes of degree 2 are 0; those of degree 1 are the initial gradient. */
 static inline void start_modes(const Chunk *c, const Place *grid)
 {
     (void)grid;

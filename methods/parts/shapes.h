@@ -1,4 +1,4 @@
-/* shapes.h: how a particle sees the nodes of one axis: tent, GIMP, quadratic and cubic spline.
+/* shapes.h: weights of the nodes of one axis: tent, GIMP, quadratic and cubic spline.
  *
  * All lengths in cells: x position, b = l/h half width, r = x - x_i. W07 section 2; Bardenhagen &
  * Kober 2004. GIMP is the exact convolution of the tent with a top hat of half width b, for any b:
@@ -16,8 +16,8 @@ static inline int tent_width(double b)
     return 2;
 }
 
-/* The cell is chosen by floor(x), never by the sign of r. Where f (1 - f) is next to nothing the
- * particle lies on a node, where the slope jumps: common/core/on_node.c sees to it. */
+/* The cell is floor(x), not the sign of r. Where f (1 - f) < ON_NODE the particle lies on a node,
+ * where the slope jumps: common/core/on_node.c replaces it. */
 static inline void tent_shape(const Axis *axis, int width, const Field x, const Field b,
                               Stencil *out)
 {
@@ -33,7 +33,7 @@ static inline void tent_shape(const Axis *axis, int width, const Field x, const 
     out->on_node = on_node != 0;
 }
 
-/* The tent whose points on a wall see the cell within it, not the one beyond. */
+/* The tent of WLS: a point on an upper wall belongs to the cell inside, not to the one beyond. */
 static inline void inner_tent_shape(const Axis *axis, int width, const Field x, const Field b,
                                     Stencil *out)
 {

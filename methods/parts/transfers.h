@@ -50,7 +50,8 @@ static inline void keep_gradient(const Chunk *c, const Field sums[])
             for (int p = 0; p < CHUNK; p++) c->L[a * DIM + b][p] = sums[FLUX + b * DIM + a][p];
 }
 
-/* Column k of F += dt L F in space: by what it adds, as its own three fields are no others. */
+/* Column k of F += dt L F in 3D. The increments go to an array of their own first, so that the
+ * compiler knows that writing one row of the column changes no row still to be read. */
 static inline void deform_column(const Chunk *c, const Field sums[], double dt, int k)
 {
     Field more[DIM];

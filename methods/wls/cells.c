@@ -35,7 +35,7 @@ static inline void shape_at(const double xi[DIM], Shape *out)
     }
 }
 
-/* Eqs 19-21 at xi; false if no good node sees the point. */
+/* Eqs 19-21 at xi; false if no corner of the cell is good. */
 static inline bool value_at(const Wls *w, const size_t corner[CORNERS], const double xi[DIM],
                             const Shape *shape, Line *out)
 {
@@ -137,8 +137,9 @@ static inline void take_point(Sim *sim, const size_t corner[CORNERS], const doub
         multiply_point(wls_of(sim), corner, xi, shape, value[Q_RHO] * volume * pow(sim->dx, DIM));
 }
 
-/* A full cell has one point, in the middle; its mass is kept for the products, which have that
- * point, too, unless velocities are corrected: their factor 3/2 is that of the whole matrix. */
+/* A full cell has one point, in the middle; its mass is kept for the products with M. These use the
+ * same point, unless velocities are corrected: their factor 3/2 (velocity.c) holds for the full
+ * matrix (multiply_full). */
 static inline void take_full(Sim *sim, const size_t corner[CORNERS], const Middle *m, Task task,
                              long *lost)
 {
@@ -231,7 +232,7 @@ static inline void take_row(Sim *sim, int row, Task task)
     }
 }
 
-/* Even rows of cells, then odd ones: two of one parity share no node. (In 3D planes take turns,
+/* Even rows of cells, then odd ones: two of one parity share no node. (In 3D planes alternate,
  * too.) */
 static inline void take_all(Sim *sim, Task task)
 {

@@ -1,6 +1,6 @@
 /* condition.c: which nodes are spurious (W11 3.5): by the trigger weight, or by the two tests that
- * the paper finds too weak, the determinant of the moments and the number of particles, each alone.
- * See wls.h. */
+ * the paper finds too weak if used alone, the determinant of the moments or the number of
+ * particles. See wls.h. */
 #include <math.h>
 #include "wls.h"
 

@@ -37,7 +37,7 @@ static bool invert_moments(const Line m, double more, double least, double M[DIM
     return invert(M) > least;
 }
 
-/* The means of all quantities in place of planes; with gradients, v keeps its own plane. */
+/* The means of all quantities in place of planes: slopes 0, of v too. */
 static void fall_back(Line fit[FIT], double total)
 {
     fit[FIT_VALUE] = total > 0 ? fit[FIT_VALUE] / total : (Line){0};

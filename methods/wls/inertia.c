@@ -3,11 +3,12 @@
  *   a = a0 + D^-1 (f - M a0) = 2 a0 - D^-1 M a0,
  * at good nodes; spurious and massless ones take the mean of theirs (wls/nodes.c). See wls.h.
  *
- * Particles take a. With motion=lagged the grid that carries them moves with v + dt a0: their next
- * fit will find the filtered LS W a, which is a0 to fourth order, and any other velocity now would
- * run ahead of it by dt h^2/4 grad^2 a, which costs energy in proportion to dt. At spurious nodes
- * the same comes linearly extrapolated from good ones: 2 a_j - a_k, k beyond j. A velocity that is
- * corrected, too (wls/velocity.c), finds v + dt a itself, and nothing needs to be held back.
+ * Particle velocities are updated with a. With motion=lagged particles move with v + dt a0: the fit
+ * of the next step returns a filtered by the weights, which equals a0 to fourth order. Moving
+ * particles with v + dt a now would differ from it by dt h^2/4 grad^2 a, and energy would be lost
+ * in proportion to dt. Spurious nodes move particles with v + dt (2 a_j - a_k), extrapolated
+ * linearly from good nodes, k beyond j. With velocity=corrected (wls/velocity.c) the next fit finds
+ * v + dt a, and nothing is held back.
  *
  * Real cells alone are summed: on a symmetry line the mirrored half doubles M a0 and D alike. */
 #include "wls.h"
@@ -30,7 +31,7 @@ double wls_drive(const Grid *g, int row, int i, int a)
     return g->drive[a] ? g->drive[a][index[a]] : 0;
 }
 
-void wls_book_change(Sim *sim, int row, size_t at, double dt, const Line before, unsigned held)
+void wls_record_change(Sim *sim, int row, size_t at, double dt, const Line before, unsigned held)
 {
     const Line node = sim->g.node[at];
     const double real = node[0] > 0 ? node[1 + DIM] / node[0] : 0; /* a half on symmetry lines */
@@ -46,9 +47,8 @@ double wls_whole_force(const Grid *g, size_t at, int a)
     return f;
 }
 
-/* The factors of a row, with boundary conditions: a0, v. A unilateral wall decides by the momentum
- * and force of the equations of motion before any correction: a component that it stops has a0 =
- * -v/dt. */
+/* The factors a0, v of a row, with boundary conditions. Whether a unilateral wall stops a component
+ * is decided by momentum and force before any correction; a stopped component has a0 = -v/dt. */
 static void start_row(Sim *sim, int row, double dt)
 {
     const Grid *g = &sim->g;
@@ -70,12 +70,11 @@ static void start_row(Sim *sim, int row, double dt)
     }
 }
 
-/* v; and a, that as internal force, from which the nodes' equations take it; with what that means
- * for the momentum ledger. The change of all nodes together, sum_i (D a0 - M a0)_i, is nothing,
- * since the rows of M add up to D. A component that a wall holds or stops takes no part: its a0 is
- * given, 0 if held, and of its share (D a0 - M a0)_i the wall keeps the body. So the wall's impulse
- * is that of the integrated force and dt (M a0 - D a0)_i, and what the other nodes gain, they gain
- * from each other. */
+/* Writes v to the nodes' planes and a, as internal force, to the nodes, from which the equations of
+ * motion read it; and updates the momentum ledger. Over all nodes the changes cancel: sum_i (D a0 -
+ * M a0)_i = 0, since D are the row sums of M. A component that a wall holds or stops has a given a0
+ * and is not changed; its share (D a0 - M a0)_i of that sum is borne by the wall, whose impulse is
+ * that of the integrated force plus dt (M a0 - D a0)_i. */
 static void finish_row(Sim *sim, int row, double dt)
 {
     Grid *g = &sim->g;
@@ -102,7 +101,7 @@ static void finish_row(Sim *sim, int row, double dt)
             if (!(stops >> a & 1)) g->node[at][FLUX + a] = g->node[at][0] * acc - outer;
             w->inertia[at].product[I_A + a] = acc;
         }
-        wls_book_change(sim, row, at, dt, before, held);
+        wls_record_change(sim, row, at, dt, before, held);
     }
 }
 

@@ -1,7 +1,7 @@
 /* moments.c: weighted least squares at every node (W11 3.2): particles deposit the moments and
  * loads of a plane, sum_p W (c0 + c . r - f_p)^2, for all quantities in one sweep. See wls.h.
  *
- * W is the product of quadratic splines (eq 4), three nodes an axis. Every particle counts as a
+ * W is the product of quadratic splines (eq 4), three nodes per axis. Every particle counts as a
  * sample whatever it weighs, surface points included. */
 #include <math.h>
 #include "common/core/scheme.h"
@@ -137,10 +137,11 @@ static void load_quantities(const Sim *sim, const Chunk *c, double t, bool force
         for (int l = 0; l < LANES; l++) w->A[p][l] = w->quantity[l][p];
 }
 
-/* The particle's gradient is a sample of the slopes of v: g^2 h^2 |c - L|^2 joins the squares. */
+/* The particle's gradient is a sample of the slopes of v: adds g^2 h^2 |c - L|^2 to the sum of
+ * squares. */
 static void load_gradients(const Sim *sim, const Chunk *c, double hermite, Deposit *w)
 {
-    const double scale = hermite * sim->dx; /* L by the cell */
+    const double scale = hermite * sim->dx; /* L per cell */
     for (int p = 0; p < CHUNK; p++)
         for (int d = 0; d < DIM; d++) {
             w->B[p][d] = (Line){0};

@@ -1,5 +1,5 @@
-/* nodes.c: what becomes of nodes whose own data are of no use (W11 3.5, 4.5): spurious nodes
- * take force and velocity from their good neighbours, and so do nodes under a particle that no cell
+/* nodes.c: nodes whose own data are not usable (W11 3.5, 4.5): spurious nodes take force and
+ * velocity from their good neighbours, and so do nodes that a particle's W reaches but that no cell
  * gave mass. Neighbours beyond a symmetry line are images. */
 #include "wls.h"
 
@@ -46,9 +46,10 @@ static Around look_around(const Sim *sim, const int index[DIM])
     return out;
 }
 
-/* f_i = m_i sum f_j / sum m_j; as printed, the mean of the f_j, it blows up at once. With a mass
- * correction body forces are in it, which would else be corrected at good nodes alone; and with
- * tractions, which do not fade with a node's mass. */
+/* f_i = m_i sum f_j / sum m_j. (The paper prints the mean of the f_j, which is unstable at once:
+ * average=literal.) Body forces are included where accelerations are corrected, because otherwise
+ * only those of good nodes would be; and under traction, whose force does not vanish with the
+ * node's mass. */
 static void average_force(const Sim *sim, size_t at, Line *node, const Around *n)
 {
     const Wls *w = sim->own;
@@ -61,8 +62,9 @@ static void average_force(const Sim *sim, size_t at, Line *node, const Around *n
     }
 }
 
-/* A token of mass, so that the node moves with a = sum f / sum m of its neighbours, or keeps
- * its own v if no neighbour has mass. (Where particles are sparse, eq 14 finds no inside node.) */
+/* Gives a node without mass a small one, so that it moves with a = sum f / sum m of its neighbours,
+ * or keeps its own v if no neighbour has mass. (Where particles are sparse, eq 14 finds no inside
+ * node.) */
 static void move_along(Sim *sim, size_t at, Line *node, const Around *n)
 {
     Grid *g = &sim->g;
@@ -121,7 +123,7 @@ static void repair_node(Sim *sim, size_t at, int row, const int index[DIM], doub
     if (repaired) {
         /* a wall, be it one that holds or one that stops, bears the integrated force */
         const unsigned stops = sim_stops(&sim->g, row, index[0], dt);
-        wls_book_change(sim, row, at, dt, before, wls_held(&sim->g, row, index[0]) | stops);
+        wls_record_change(sim, row, at, dt, before, wls_held(&sim->g, row, index[0]) | stops);
     }
 }
 

@@ -20,7 +20,7 @@
                    "W11 eqs 19-21", "linear|c0"),                                                  \
             WLS_CHOICE(P_QUADRATURE, "quadrature", quadrature, 3,                                  \
                        "cut cells: one point at the centroid; exact for bilinear functions; of "   \
-                       "16 Gauss points, or evenly spaced ones (4 an axis), those inside",         \
+                       "16 Gauss points, or evenly spaced ones (4 per axis), those inside",        \
                        "W11 3.4", "centroid|exact|gauss16|samples16"),                             \
             WLS_CHOICE(                                                                            \
                 P_DISTANCE, "distance", distance, 3,                                               \

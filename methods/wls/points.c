@@ -1,6 +1,6 @@
 /* points.c: where the part of a cell inside the body is integrated (W11 3.4): one point at the
  * centroid of each piece; points that are exact for quadratic polynomials; or those of 16 points
- * (4 an axis) that lie inside, which the paper discusses and drops (3.4.1). See wls.h. */
+ * (4 per axis) that lie inside, which the paper discusses and drops (3.4.1). See wls.h. */
 #include <math.h>
 #include <string.h>
 #include "wls.h"

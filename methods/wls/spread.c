@@ -9,7 +9,8 @@
  * a held component of a good neighbour does so, too, and is added to the impulse. */
 #include "wls.h"
 
-/* Spurious, with mass, and free of walls (not of symmetry lines). */
+/* Does the node pass its force on: is it spurious, with mass, and held by no wall? (Symmetry lines
+ * do not count.) */
 static bool gives(const Sim *sim, size_t at, const int index[DIM])
 {
     const Grid *g = &sim->g;
@@ -68,9 +69,9 @@ static void give_row(Sim *sim, int row)
     }
 }
 
-/* Node `at` takes its share of one spurious node's force, an acceleration. On a symmetry line the
- * mirrored half of the body brings the opposite normal share: the line bears either half's alone.
- */
+/* Adds a share of one spurious node's force, given as an acceleration, to node `at`. On a symmetry
+ * line the mirrored half of the body adds the opposite normal share; the line bears that of the
+ * real half. */
 static void take(Sim *sim, int row, size_t at, int a, double sign, double share, unsigned held,
                  double dt)
 {

@@ -54,7 +54,7 @@ bool wls_make(Sim *sim)
     read_choices(sim->setup->method_par, w);
     if (w->condition == CONDITION_COUNT) w->count = nodes_of(n, sizeof *w->count);
     w->inside =
-        2 * sim->setup->ppc / (double)CORNERS; /* the paper's 2, at its two particles an axis */
+        2 * sim->setup->ppc / (double)CORNERS; /* eq 14: 2 with two particles per axis and cell */
     const double denser = sim->method.surface_per_cell / pow(sim->setup->ppc, 1.0 / DIM);
     w->surface_beta = denser > 0 ? 1 / denser : 1;
     for (int d = 2; d < DIM && denser > 0; d++) w->surface_beta /= denser;

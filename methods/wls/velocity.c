@@ -1,16 +1,17 @@
-/* velocity.c: velocities that get back what the transfers filter. See wls.h.
+/* velocity.c: corrects node velocities for what fit and return filter. See wls.h.
  *
  * Of a wave of wave number k [1/cell] the fit (eqs 7-10, weight W) finds 1 - k^2/8, and the return
  * through W gives 1 - k^2/8 of what the nodes have; so particles would move with 1 - k^2/4 of their
  * own velocity. The consistent mass matrix M over its row sums D has 1 - k^2/6. Hence
  *   v_i' = v_i - 3/2 D_i^-1 sum_j M_ij (v_j - v_i - c_i . (x_j - x_i)),  3/2 = (1/4)/(1/6),
- * moves them with 1 + O(k^4). The node's own plane c_i is taken off, so that velocities linear in
- * space are left alone, in cut cells, too. At good nodes that have no spurious neighbour: the
- * symbols are those of fits from all sides. Spurious ones then take the planes of good neighbours
- * (wls/nodes.c), components that a wall holds stay.
+ * moves them with 1 + O(k^4). The node's own plane c_i is subtracted, so that velocities linear in
+ * space are not changed, in cut cells either. Applied at good nodes without spurious neighbours,
+ * since the factors above are those of a fit with particles on all sides. Spurious nodes then take
+ * the planes of good neighbours (wls/nodes.c); components that a wall holds are not changed.
  *
- * Only real cells are summed: on a symmetry line the mirrored half doubles M v and D alike, takes
- * away the first moment across it, where c_i has no part in what is not held. */
+ * Only real cells are summed. On a symmetry line the mirrored half would double M v and D alike and
+ * cancel the first moment across the line; there c_i of components that are not held has no slope
+ * across it, so the result is the same. */
 #include "wls.h"
 
 void wls_velocity_start(Sim *sim, size_t at, int row, int i, unsigned held)
@@ -27,7 +28,7 @@ void wls_velocity_start(Sim *sim, size_t at, int row, int i, unsigned held)
         w->inertia[at].factor[I_V + a] = held >> a & 1 ? wls_drive(&sim->g, row, i, a) : v[a];
 }
 
-/* Are all neighbours of a node good, as far as they are not beyond a wall? */
+/* Are all neighbours of a node good, those beyond a wall left out? */
 static bool is_surrounded(const Sim *sim, int row, int i)
 {
     const Grid *g = &sim->g;

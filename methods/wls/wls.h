@@ -1,4 +1,4 @@
-/* wls.h: rooms of the weighted-least-squares method (W11 sections 3, 4): what they share.
+/* wls.h: what the files of the weighted-least-squares methods share (W11 sections 3, 4).
  *
  *   wls/moments.c   particles to moments and loads of every node (eqs 7-9)
  *   wls/fold.c      symmetry lines
@@ -6,23 +6,24 @@
  *   wls/condition.c which nodes are spurious (3.5)
  *   wls/surface.c   signed distance of nodes from flagged surface points (eqs 13-17)
  *   wls/bend.c      distance and curvature of curved surfaces
- *   polygon.c, polyhedron.c, solid.c  marching squares and cubes: the shape of a cut cell (eq 18)
- *   wls/points.c    its integration points
+ *   wls/points.c    integration points of a cut cell, whose shape (eq 18) is found by marching
+ *                   squares and cubes: common/base/polygon.c, polyhedron.c, solid.c
  *   wls/cells.c     integrals over full and cut cells (eqs 19-24)
  *   wls/inertia.c   accelerations towards the consistent mass matrix
  *   wls/velocity.c  velocities that get back what fit and return filter
  *   wls/spread.c    forces of spurious nodes to their neighbours
  *   wls/nodes.c     spurious nodes and nodes without mass (3.5, 4.5)
+ *   wls/patches.c   cells as polygons, for output
  *   wls/step.c      their order, workspace
  *   wls/centres.c   IMPM: planes of cells, integrals by one point
  *
  * Momentum. Forces are integrals over cells, with sum_i G_i = 0 at every point: on the grid
- * internal forces and the reactions at walls sum to nothing. Particles get dt sum_i M_i a_i with
- * M_i = sum_p S_ip m_p, not dt sum_i m_i a_i, m_i being integrated: the return adds dt sum_i (M_i -
- * m_i) a_i, an error of quadrature near surfaces and walls. Spurious nodes move with a mean a' of
- * their neighbours: that adds dt m_i (a' - a_i) a node. The fit adds nothing, as particles keep
- * their v and take a. All this is the ledger's drift; wls_book_change keeps it out of the walls'
- * impulse.
+ * internal forces and the reactions at walls sum to zero. Particles receive dt sum_i M_i a_i with
+ * M_i = sum_p S_ip m_p, but m_i is integrated over cells: the return adds dt sum_i (M_i - m_i) a_i,
+ * a quadrature error near surfaces and walls. A spurious node moves with a mean a' of its
+ * neighbours, which adds dt m_i (a' - a_i). The fit adds nothing, since particles keep their v and
+ * are given a. The sum of these terms is the drift that the ledger reports; wls_record_change keeps
+ * it out of the walls' impulse.
  *
  * Lengths are in cells; r = x_p - x_i. A node's function is f(r) = c0 + c . r of each quantity. */
 #ifndef MPMLAB_WLS_H
@@ -64,8 +65,7 @@ enum { CORNERS = 1 << DIM, PAIRS = DIM * (DIM + 1) / 2, NEIGHBOURS = IN_THIS_DIM
  * ...; after it the coefficients c0, c_0, c_1, ... stand where the loads were. */
 enum { FIT_MOMENTS, FIT_VALUE, FIT_SLOPE, FIT = FIT_SLOPE + DIM };
 
-/* Lanes of the moments: 1, r_d, r_d r_e (d <= e), all times W; last beta (eq 13), times the tent S.
- */
+/* Lanes of the moments: sums of W, W r_d, W r_d r_e (d <= e), and beta times the tent S (eq 13). */
 enum { M_ONE, M_FIRST, M_SECOND = M_FIRST + DIM, M_BETA = M_SECOND + PAIRS };
 
 /* Lanes of the quantities: v, rho, f_ext = rho b, sigma (a <= b). */
@@ -105,8 +105,8 @@ static inline int pair(int d, int e)
     return d <= e ? d * DIM - d * (d - 1) / 2 + e - d : pair(e, d);
 }
 
-/* The surface near a node: mean outward normal, and curvature [1/cell] (> 0: convex), 0 where its
- * points do not tell; in 3D its tensor. */
+/* The surface near a node: mean outward normal, and curvature [1/cell] (> 0: convex), 0 where the
+ * surface points do not determine it; in 3D the curvature tensor. */
 enum { BENDS = IN_THIS_DIM(1, 1, PAIRS) };
 typedef struct Bend {
     double normal[DIM], kappa[BENDS];
@@ -118,8 +118,8 @@ typedef struct Wls {
     int distance_by, quadrature;
     double hermite; /* g^2: weight of gradients in the fit of v */
     double trigger;
-    int condition;        /* how spurious nodes are told: see the parameter */
-    int *count;           /* [nodes] particles that a node has, or NULL */
+    int condition;        /* the test for spurious nodes: CONDITION_* */
+    int *count;           /* [nodes] particles whose W reaches the node; NULL: not counted */
     double inside;        /* nodes with more beta are inside, eq 14 */
     double surface_beta;  /* beta of a surface point: 1, less where they are denser */
     bool centres;         /* planes are those of cells about their middle; cell k: above node k */
@@ -162,12 +162,13 @@ void wls_fold(Sim *sim, Wls *w);
  * particles, or the determinant of its moments is at most `least` M_00^(DIM + 1). */
 bool wls_solve(Line fit[FIT], bool near, double hermite, double least);
 
-/* Counts the particles that every node has, where that tells spurious nodes. Then solves for the
- * planes of a node and decides whether it is good; false: it fell back to c0. */
+/* Counts the particles whose W reaches each node (condition=count). */
 void wls_count(Sim *sim);
+
+/* Solves for the planes of a node and decides whether it is good; false: it fell back to c0. */
 bool wls_solve_node(Wls *w, size_t at);
 
-/* Surface point p of a chunk to the surface sums of its 2^DIM nodes. */
+/* Adds surface point p of a chunk to the surface sums of the 2^DIM nodes of its cell. */
 void wls_skin_point(Sim *sim, const Chunk *c, int p);
 
 /* Signed distance of a node from a curved surface, and its curvature, by its surface sums. */
@@ -189,7 +190,7 @@ enum { MAX_POINTS = IN_THIS_DIM(18, 18, 192) };
 int wls_cell_points(const double distance[CORNERS], const Bend *bend, int quadrature,
                     double xi[MAX_POINTS][DIM], double weight[MAX_POINTS]);
 
-/* In 3D: the shape itself. */
+/* The shape of that part in 3D. */
 void wls_cell_shape(const double distance[CORNERS], const Bend *bend, Polyhedron *out);
 
 /* Cells whose first node lies in a row and whose nodes are all live, lo <= i < hi - 1; offsets of
@@ -200,45 +201,47 @@ typedef struct CellRow {
 } CellRow;
 bool wls_cell_row(const Grid *g, int row, CellRow *out);
 
-/* Products of M over the same points with the factors in `inertia`, and its rows. */
+/* Sets, in every node's `inertia`, product = M factor and the rows of M, by the same points. */
 void wls_mass_times(Sim *sim);
 
-/* Accelerations corrected towards the consistent mass matrix: a = 2 a0 - D^-1 M a0 at good nodes,
- * after symmetry; written back as internal force. And velocities. Then v of a node may be held
- * back, to lag behind v + dt a. */
+/* Corrects accelerations towards the consistent mass matrix, a = 2 a0 - D^-1 M a0 at good nodes,
+ * and velocities (wls/velocity.c), after symmetry. The result is written back as internal force. */
 void wls_correct(Sim *sim, double dt);
+
+/* motion=lagged: takes dt (a - a0) off v, so that the node moves particles with v + dt a0. */
 void wls_hold_back(const Sim *sim, size_t at, const int index[DIM], double dt, double v[DIM]);
 
-/* Components that a wall holds or a symmetry line cancels at node i of a row; internal and body
- * force of a node. */
+/* Components that a wall holds or a symmetry line cancels at node i of a row. */
 unsigned wls_held(const Grid *g, int row, int i);
 
-/* Velocity along axis a of a node that a moving wall holds; 0 of one that none does. */
+/* Velocity along axis a of a node that a moving wall holds; 0 if no wall there moves. */
 double wls_drive(const Grid *g, int row, int i, int a);
+
+/* Internal plus body force of a node along axis a [N]. */
 double wls_whole_force(const Grid *g, size_t at, int a);
 
-/* After a node's internal force was changed from that of the line `before`: the ledger has booked
- * it as it was integrated, with which forces and reactions sum to nothing. Where a component is
- * `held` the wall bears just that. Elsewhere the change is momentum that no wall gave: it is booked
- * against, and shows as drift, unless other nodes lose as much. */
-void wls_book_change(Sim *sim, int row, size_t at, double dt, const Line before, unsigned held);
+/* Call after a node's internal force was changed from that in the line `before`. The ledger has
+ * recorded the force as integrated over cells. Of `held` components that is what the wall bears.
+ * Of the others the change is momentum that no wall gives: it is subtracted from the impulse and
+ * appears as drift, unless the changes of other nodes cancel it. */
+void wls_record_change(Sim *sim, int row, size_t at, double dt, const Line before, unsigned held);
 
-/* Hands what forces of spurious nodes their neighbours do not account for to these: into a0. */
+/* average=folded: passes forces of spurious nodes on to their good neighbours, as part of a0. */
 void wls_spread(Sim *sim, double dt);
 
-/* Velocities corrected by the same matrix: v of node `at` as a factor; then, after the product, in
- * the node's plane. */
+/* velocity=corrected, of node `at`: v becomes a factor of M; after the product the node's plane
+ * gets the corrected v. */
 void wls_velocity_start(Sim *sim, size_t at, int row, int i, unsigned held);
 void wls_velocity_finish(Sim *sim, size_t at, int row, int i, unsigned held);
 
-/* Are all neighbours of node i of a row live and good, as most are? They may be ghosts, which are
- * no better than their images. */
+/* Are all neighbours of node i of a row live and good? A quick test, true of most nodes; ghosts
+ * beyond symmetry lines count as they stand, without their images. */
 bool wls_all_good(const Sim *sim, int row, int i);
 
 /* v of a spurious node from the planes of its good neighbours; left alone if there are none. */
 void wls_velocity_at(const Sim *sim, const int index[DIM], double v[DIM]);
 
-/* Velocities, spurious and massless nodes of one row, after symmetry. */
+/* Final velocities of one row, and forces of its spurious and massless nodes; after symmetry. */
 void wls_repair_row(Sim *sim, int row, double dt);
 
 /* What every fit needs; false: out of memory. */

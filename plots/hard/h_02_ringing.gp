@@ -2,6 +2,11 @@
 load plots.'/style.gp'
 list_ = dir.'/'.name.'.kept.csv'
 load plots.'/methods.gp'
+last(m, d) = value('LAST_'.m.'_'.d) # the last step written of a run
+do for [m in seen_] { do for [d = 1:2] {
+    stats list_ using (strcol('method') eq m && strcol('variant') eq 'usual' && column('dim') == d ? column('step') : NaN) nooutput
+    eval sprintf('LAST_%s_%d = %d', m, d, STATS_records > 0 ? STATS_max : -1)
+} }
 set multiplot
 set lmargin at screen 0.09
 set rmargin at screen 0.44
@@ -26,6 +31,9 @@ do for [d = 1:2] {
     plot for [m in seen_] list_ using (of(m, 'usual')):'kept' with linespoints ls style(m) ps 0.6 title label(m), \
          for [m in 'wls wls2'] list_ using (of(m, 'return=spline')):'kept' with lines ls style(m) dt 2 \
          title label(m).', spline', \
-         list_ using (of('xpic', 'order=1')):'kept' with lines ls style('xpic') dt 2 title 'PIC'
+         list_ using (of('xpic', 'order=1')):'kept' with lines ls style('xpic') dt 2 title 'PIC', \
+         for [m in seen_] list_ using (strcol('status') ne 'ok' && column('step') == last(m, d) ? of(m, 'usual') : NaN):'kept' \
+         with points ls style(m) pt 2 ps 1.6 lw 2 notitle, \
+         NaN with points pt 2 ps 1.2 lc rgb '#444444' title 'lost'
 }
 unset multiplot

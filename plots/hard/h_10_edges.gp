@@ -19,7 +19,7 @@ do for [k = 1:4] {
     set bmargin at screen (k < 3 ? 0.58 : 0.11)
     if (k > 2) { set xlabel 'h [m]' }
     if (k % 2) { set format y '10^{%T}'; set ylabel 'largest error' offset 1 } else { unset ylabel; set format y '' }
-    if (k == 2) { set key at screen 0.815, screen 0.93 left top maxcols 1 spacing 1.1 samplen 1.6 } else { unset key }
+    if (k == 2) { set key at screen 0.815, screen 0.93 left top maxcols 1 spacing 1 samplen 1.6 font fmt eq 'png' ? ',15' : ',10' } else { unset key }
     of(m) = strcol('method') eq m && strstrt(strcol('params'), 'body='.word(BODIES, k).';') ? column('h') : NaN
     set label 1 heading(SAYS[k]) at graph 0, graph 1.07
     plot for [m in seen_] csv using (of(m)):'error_linf' with linespoints ls style(m) title label(m)

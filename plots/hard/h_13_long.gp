@@ -5,6 +5,11 @@ load plots.'/methods.gp'
 SCENES = 'ring disk_impact'
 array SAYS[2] = ['Ring, N = 32, twenty periods', 'Disk, N = 48, to t = 20']
 of(s, m, v) = strcol('problem') eq s && strcol('method') eq m && strcol('variant') eq v ? column('t') : NaN
+ended(s, m) = value('ENDED_'.s.'_'.m) # the last instant of a run that was lost
+do for [s in SCENES] { do for [m in seen_] {
+    stats list_ using (of(s, m, 'usual')) nooutput
+    eval sprintf('ENDED_%s_%s = %.9g', s, m, STATS_max < 0.95 * (s eq 'ring' ? 0.4 : 20) ? STATS_max : -1)
+} }
 set multiplot
 set bmargin at screen 0.13
 set tmargin at screen 0.9
@@ -22,6 +27,9 @@ do for [k = 1:2] {
     s = word(SCENES, k)
     plot for [m in seen_] list_ using (of(s, m, 'usual')):'ledger' with lines ls style(m) lw 2.4 title label(m), \
          for [m in 'wls wls2'] list_ using (of(s, m, 'spline')):'ledger' with lines ls style(m) lw 2.4 dt 2 \
-         title label(m).', spline'
+         title label(m).', spline', \
+         for [m in seen_] list_ using (abs(of(s, m, 'usual') - ended(s, m)) < 1e-6 ? column('t') : NaN):'ledger' \
+         with points ls style(m) pt 2 ps 1.6 lw 2 notitle, \
+         NaN with points pt 2 ps 1.2 lc rgb '#444444' title 'lost'
 }
 unset multiplot

@@ -36,7 +36,7 @@ plot same_ using (strcol('method') eq 'gimp' ? column('cells') : NaN):(column('a
      same_ using (strcol('method') eq 'gimp' ? column('cells') : NaN):(column('linf') / column('fem_linf')) \
          with linespoints ls style('gimp') dt 2 pt 6 title 'largest, same points inside', \
      same_ using (strcol('method') eq 'gimp' ? column('cells') : NaN):(column('l1') / column('fem_l1')) \
-         with linespoints ls style('ge_gimp') dt 2 pt 4 title 'mean, same points inside', \
+         with linespoints ls style('gimp') dt 3 pt 4 title 'mean, same points inside', \
      1 with lines ls 20 notitle
 
 unset logscale

@@ -5,7 +5,7 @@ set multiplot layout 1,2 margins 0.1,0.985,0.24,0.91 spacing 0.11
 rules = 'centroid exact gauss16 samples16'
 name_of(k) = word('centroid exact 16\_Gauss\_points 16\_even\_points', k)
 titles(k) = k == 1 ? 'centroid' : k == 2 ? 'exact' : k == 3 ? '16 Gauss points, those inside' : '16 even points, those inside'
-colour(k) = word('#0072b2 #000000 #d55e00 #009e73', k)
+colour(k) = VARIANT[k == 2 ? 1 : k == 1 ? 2 : k]
 only_rule(k) = strstrt(strcol('params'), 'quadrature='.word(rules, k)) ? column('cells') : NaN
 set logscale xy
 set format y '10^{%T}'

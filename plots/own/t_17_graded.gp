@@ -44,5 +44,5 @@ set ylabel 'condition number of moments' offset 1
 set key at graph 0.03, graph 0.98 left top maxrows 3
 set label 1 heading('(d) WLS, 2D, H-6')
 plot for [g = 1:2] dir.'/'.name.'.condition.csv' using (column('grading') == g ? column('jitter') : NaN):'condition' \
-     with linespoints lc rgb (g == 1 ? '#0072b2' : '#d55e00') pt 6 lw 1.6 title (g == 1 ? 'lattice' : 'graded, x^2')
+     with linespoints lc rgb VARIANT[g == 1 ? 2 : 3] pt 6 lw 1.6 title (g == 1 ? 'lattice' : 'graded, x^2')
 unset multiplot

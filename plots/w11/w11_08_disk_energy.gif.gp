@@ -1,7 +1,7 @@
 # The disk through two impacts, moving: its strain energy, and where its energy is.
 load plots.'/viridis.gp'
 load dir.'/'.name.'.var'
-set terminal gif animate delay 18 loop 0 optimize size 720,345 font 'DejaVuSans,9' background '#ffffff'
+set terminal gif animate delay 18 loop 0 optimize size 600,288 font 'DejaVuSans,8' background '#ffffff'
 set output out
 set datafile separator ','
 history = dir.'/'.name.'.wls2.csv'

@@ -32,9 +32,9 @@ set tmargin at screen 0.43
 set bmargin at screen 0.09
 set logscale xy
 set xrange [14:72]
-set yrange [0.2:200]
+set yrange [0.05:200]
 set xtics (16, 23, 32, 45, 64)
-set ytics (0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200)
+set ytics (0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200)
 set xlabel 'cells per unit length, N'
 unset key
 do for [k = 1:2] {

@@ -22,6 +22,9 @@ extern const Command list_command, describe_command, run_command, study_command,
 enum { STUDY_OTHER_OPTION = -1 };
 int study_take_option(StudyOptions *o, const char *name, const char *got, Fault *fault);
 
+/* The name of the study that a user means by its figure (W07-5) or by how its name begins; NULL. */
+const char *study_meant(const char *text);
+
 /* The study of that name, or NULL and a fault with the nearest one. */
 const Study *study_named(const char *name, Fault *fault);
 

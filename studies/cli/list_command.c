@@ -104,8 +104,9 @@ static int refuse_name(const char *name, Fault *fault)
     n += engine_method_names(names + n, 64);
     for (InfoList i = engines[0]->integrators; *i; i++) names[n++] = (*i)->name;
     for (const Study *const *s = studies; *s && n < 192; s++) names[n++] = (*s)->name;
+    const char *meant = name && *name ? study_meant(name) : NULL;
     return option_refuse(fault, "NAME", name ? name : "", "a problem, method, integrator or study",
-                         names, n);
+                         meant ? &meant : names, meant ? 1 : n);
 }
 
 static int describe_study(const char *name)

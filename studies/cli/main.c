@@ -1,6 +1,10 @@
 /* main.c: mpmlab's front door: finds the command, prints its one line of failure. */
 #include <errno.h>
+#include <limits.h>
+#include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "cli.h"
 #include "manual.h"
 #include "studies/engine/signals.h"
@@ -66,6 +70,10 @@ static int dispatch(int argc, char **argv, Fault *fault)
 {
     if (argc < 2)
         return fault_set(fault, FAULT_USAGE, "COMMAND: got nothing, takes one of those in --help");
+    static const char *const alone[] = {"--man", "--completion", "--version"};
+    for (int k = 0; k < 3 && argc > 2; k++)
+        if (strcmp(argv[1], alone[k]) == 0)
+            return option_refuse(fault, "argument", argv[2], "nothing behind this option", NULL, 0);
     if (print_self_description(argv[1])) return 0;
     if (strcmp(argv[1], "help") == 0) return help(argc - 1, argv + 1, fault);
     const Command *c = command_named(argv[1], fault);
@@ -75,9 +83,27 @@ static int dispatch(int argc, char **argv, Fault *fault)
     return 0;
 }
 
+/* Threads that wait for each other spin for some ten microseconds, then sleep: spinning for good,
+ * OpenMP's default, makes two threads on one idle core slower than one by orders of magnitude.
+ * OpenMP reads its environment when a program is loaded, so this one starts itself again, once. If
+ * it cannot, results are the same. */
+static void start_with_sleeping_threads(int argc, char **argv)
+{
+    char program[PATH_MAX];
+    bool asked = false;
+    for (int k = 1; k < argc; k++) asked = asked || strncmp(argv[k], "--threads", 9) == 0;
+    if (!asked || getenv("OMP_WAIT_POLICY") || getenv("GOMP_SPINCOUNT")) return;
+    if (setenv("OMP_WAIT_POLICY", "passive", 1) || setenv("GOMP_SPINCOUNT", "20000", 1)) return;
+    const ssize_t n = readlink("/proc/self/exe", program, sizeof program - 1);
+    if (n <= 0) return;
+    program[n] = '\0';
+    execv(program, argv);
+}
+
 int main(int argc, char **argv)
 {
     Fault fault = {0};
+    start_with_sleeping_threads(argc, argv);
     signals_start();
     int status = dispatch(argc, argv, &fault);
     errno = 0;

@@ -1,5 +1,6 @@
 /* study_command.c: `study` and `claims`: results made, judged and shown. */
 #define _GNU_SOURCE /* O_DIRECTORY */
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -34,6 +35,29 @@ static const Option study_options[] = {
     {NULL, NULL, NULL},
 };
 
+/* Figures are written W07-5, W07_5 or w07-5. */
+static bool is_figure(const char *figure, const char *text)
+{
+    for (; *figure && *text; figure++, text++)
+        if (tolower((unsigned char)*figure) != tolower((unsigned char)*text) &&
+            !(*figure == '-' && *text == '_'))
+            return false;
+    return !*figure && !*text;
+}
+
+const char *study_meant(const char *text)
+{
+    const char *meant = NULL;
+    int n = 0;
+    for (const Study *const *s = studies; *s; s++) {
+        if (is_figure((*s)->figure, text)) return (*s)->name;
+        if (strncmp((*s)->name, text, strlen(text)) != 0) continue;
+        meant = (*s)->name;
+        n++;
+    }
+    return n == 1 ? meant : NULL;
+}
+
 const Study *study_named(const char *name, Fault *fault)
 {
     const char *names[128] = {"all"};
@@ -42,7 +66,8 @@ const Study *study_named(const char *name, Fault *fault)
         if (strcmp((*s)->name, name) == 0) return *s;
         names[n++] = (*s)->name;
     }
-    option_refuse(fault, "NAME", name, "a study or all", names, n);
+    const char *meant = study_meant(name);
+    option_refuse(fault, "NAME", name, "a study or all", meant ? &meant : names, meant ? 1 : n);
     return NULL;
 }
 
@@ -112,12 +137,13 @@ static int publish(Check *check, bool judged, const char *dir, Fault *fault)
 }
 
 /* One line per study of `study all`, so that a log shows how far it is. */
-static void report_study(const Study *study, const StudyOptions *o, bool failed, double since)
+static void report_study(const Study *study, const StudyOptions *o, const char *fault, double since)
 {
     if (o->action == STUDY_LIST) return;
-    fprintf(stderr, "mpmlab: %s: %s", study->name, failed ? "failed" : "done");
+    fprintf(stderr, "mpmlab: %s: %s", study->name, fault ? "failed" : "done");
     if (!o->methods) fprintf(stderr, ", %d cases", study_case_count(study, o->quick));
-    fprintf(stderr, ", %.1f s\n", stopwatch_wall() - since);
+    fprintf(stderr, ", %.1f s%s%s\n", stopwatch_wall() - since, fault ? ": " : "",
+            fault ? fault : "");
 }
 
 /* Runs one study or all; the first fault is kept, but only an interruption ends the rest. */
@@ -131,7 +157,8 @@ static int run_studies(const StudyArgs *args, Fault *fault)
         const double start = stopwatch_wall();
         if (!all && strcmp(args->name, (*s)->name) != 0) continue;
         int got = run_study(*s, &args->options, &f);
-        if (all) report_study(*s, &args->options, got && got != PLOT_NO_GNUPLOT, start);
+        const bool failed = got && got != PLOT_NO_GNUPLOT;
+        if (all) report_study(*s, &args->options, failed ? f.text : NULL, start);
         if (got == PLOT_NO_GNUPLOT)
             drawn = false;
         else if (got && (code == 0 || got == FAULT_INTERRUPTED)) {
@@ -220,6 +247,8 @@ static int claims(int argc, char **argv, Fault *fault)
     Check check = {0};
     int width = 0, failed = 0;
     int code = options_read(argc, argv, claims_options, take_claims, &out, fault);
+    if (code == 0 && out != default_out && access(out, F_OK) != 0)
+        code = option_refuse(fault, "--out", out, "a folder that is there", NULL, 0);
     if (code == 0) code = file_make_folder(out, fault);
     if (code == 0) code = publish(&check, true, out, fault);
     for (int k = 0; k < check.n; k++) {

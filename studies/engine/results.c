@@ -215,14 +215,15 @@ const char *results_status(const Results *r, const char *part)
     return status;
 }
 
-Table *results_left(const Results *r, const char *part)
+/* The file that any run has left. */
+static Table *file_left(const Results *r, const char *part)
 {
     return table_read_part(r->dir, r->study->name, part, NULL);
 }
 
 Table *results_file(const Results *r, const char *part)
 {
-    return results_status(r, part)[0] == 'o' ? results_left(r, part) : NULL;
+    return results_status(r, part)[0] == 'o' ? file_left(r, part) : NULL;
 }
 
 char *results_path(const Results *r, const char *part)
@@ -257,5 +258,5 @@ const Table *results_ended(const Results *r, const char *part, ...)
 {
     char text[256];
     PART_NAME(text, part);
-    return keep(r, results_left(r, text));
+    return keep(r, file_left(r, text));
 }

@@ -213,13 +213,12 @@ static void check_places(Check *c, const Table *t)
           "GE-WLS, bar of 8 cells at 20 offsets from the grid: most amplitude of the invisible "
           "mode in 6000 steps",
           most_of_places(t, 1), 0.9, 1.1);
-    claim_differs(
-        c, "H-2.ge_wls-places-plane",
-        "GE-WLS, square of 8 x 8 cells at 20 offsets from the grid: most amplitude of "
-        "the invisible mode in 6000 steps",
-        most_of_places(t, 2), 0.9, 1.1, 1.1, 1.5,
-        "it grows slowly at some offsets on this coarse mesh; on 16 x 16 cells it had not "
-        "grown after 1500 steps");
+    claim_differs(c, "H-2.ge_wls-places-plane",
+                  "GE-WLS, square of 8 x 8 cells at 20 offsets from the grid: most amplitude of "
+                  "the invisible mode in 6000 steps",
+                  most_of_places(t, 2), 0.9, 1.1, 1.1, 1.5,
+                  "it grows by up to a quarter, and by more than a tenth at 11 offsets of 20, on "
+                  "this coarse mesh; on 16 x 16 cells it had not grown after 1500 steps");
 }
 
 static void check(Check *c, const Results *r)

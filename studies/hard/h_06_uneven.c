@@ -121,21 +121,22 @@ static void check(Check *c, const Results *r)
           curve_worst(t, "ge_mpm ge_gimp apic tpic wls wls2", 2 * JITTERS, "error", "case=H-6"), 0,
           1e-12);
     claim(c, "H-6.tent",
-          "Uneven particles: tents and GIMP err alike: MPM's error over GIMP's at jitter 0.5",
+          "Linear field projected from uneven particles: tents and GIMP err alike: MPM's error "
+          "over GIMP's at jitter 0.5",
           measure_ratio(select_value(t, "error", "case=H-6 method=mpm x=0.5 grading=1"),
                         select_value(t, "error", "case=H-6 method=gimp x=0.5 grading=1")),
           0.9, 1.2);
     claim(c, "H-7.tent",
-          "Tents with half a particle per cell have empty nodes: MPM's error of the bar over the "
+          "Sine bar with half a particle per cell: tents have empty nodes: MPM's error over the "
           "amplitude",
           few_error(t, 0, "mpm", 0.5), 0.5, 2);
     claim(c, "H-7.gimp",
-          "GIMP with half a particle per cell has no empty nodes, as its boxes reach beyond h/2: "
-          "error of the bar over the amplitude",
+          "Sine bar with half a particle per cell: GIMP has no empty nodes, as its boxes reach "
+          "beyond h/2: its error over the amplitude",
           few_error(t, 0, "gimp", 0.5), 0, USABLE);
     claim(c, "H-7.plane",
-          "GIMP with half a particle per axis in the plane has too few: error of axis_mms over the "
-          "amplitude",
+          "Axis-aligned displacement with half a particle per axis: too few for GIMP: its error "
+          "over the amplitude",
           few_error(t, 1, "gimp", 0.5), 0.5, 3);
     for (int m = 0; m < 2; m++)
         for (int k = 0; k < 2; k++) {
@@ -143,11 +144,12 @@ static void check(Check *c, const Results *r)
             measure_add(&lost, isnan(e) ? NAN : isinf(e));
         }
     claim(c, "H-7.wls",
-          "WLS, WLS2 need three particles in a support: runs lost in the plane below one particle "
-          "per axis, of four",
+          "Axis-aligned displacement: WLS, WLS2 need three particles in a support: runs lost with "
+          "fewer than one particle per axis, of four",
           lost, 4, 4);
     claim(c, "H-7.wls-one",
-          "WLS with one particle per axis in the plane falls back (W11 eq 14): number of fallbacks",
+          "Axis-aligned displacement with one particle per axis: WLS falls back (W11 eq 14): "
+          "number of fallbacks",
           select_value(t, "fallbacks", "case=H-7 problem=axis_mms method=wls x=1"), 1, 100);
 }
 

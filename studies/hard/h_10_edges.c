@@ -86,10 +86,13 @@ static Measure worst_error(const Table *t, const char *methods)
 static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "edges");
-    claim(c, "H-10.defined", "Edges, thin strip, concave corner, two surfaces in a cell: runs lost",
+    claim(c, "H-10.defined",
+          "Linear field at edges, of a thin strip, at a concave corner, two surfaces in a cell: "
+          "runs lost",
           lost(r->rows), 0, 0);
     claim(c, "H-10.order",
-          "MPM, GIMP are of first order at edges: order in h of the largest error, block",
+          "Linear field projected from a block: MPM and GIMP are of first order at its edges: "
+          "order in h of the largest error",
           measure_max(order(t, "mpm"), order(t, "gimp")), 0.8, 1.2);
     claim(c, "H-10.ge",
           "GE-MPM, GE-GIMP, APIC, TPIC project a linear field exactly at edges of all four bodies: "
@@ -101,11 +104,12 @@ static void check(Check *c, const Results *r)
     claim_differs(c, "H-10.wls",
                   "WLS projects a linear field exactly at edges of all four bodies: largest error",
                   worst_error(t, "wls"), 0, 1e-12, 1e-3, 0.1,
-                  "spurious nodes take a mean of their neighbours' velocities, which is O(h) "
-                  "wrong; WLS2 extrapolates");
+                  "off by .010: spurious nodes take a mean of their neighbours' velocities, which "
+                  "is O(h) wrong; WLS2 extrapolates");
     claim(c, "H-10.wls-order",
-          "WLS's error at edges falls with h: order of its largest error, block", order(t, "wls"),
-          0.5, 1.2);
+          "Linear field projected from a block: WLS's error at the edges falls with h: order of "
+          "the largest error",
+          order(t, "wls"), 0.5, 1.2);
 }
 
 const Study study_h_10_edges = {

@@ -117,11 +117,12 @@ static int column_of(const Table *rows, int row, bool quick)
 static void write_grid(FILE *f, const Results *r)
 {
     const Table *rows = r->rows;
-    int line = -1;
-    for (int row = 0; row < rows->nrow; row++) {
+    int line = -1, first = 0; /* behind the bars that are run for their particles alone */
+    while (first < rows->nrow && select_is(rows, first, "problem", "hanging_bar")) first++;
+    for (int row = first; row < rows->nrow; row++) {
         const char *method = select_text(rows, row, "method");
         const int rule = rule_of(rows, row), column = column_of(rows, row, r->quick);
-        if (row == 0 || strcmp(method, select_text(rows, row - 1, "method")) != 0 ||
+        if (row == first || strcmp(method, select_text(rows, row - 1, "method")) != 0 ||
             rule != rule_of(rows, row - 1))
             line++;
         if (column < 0) continue;

@@ -109,7 +109,7 @@ static void check_ring(Check *c, const Table *rows)
     static const char four_periods[] = "problem=ring method=%s cells=%d t_end=0.08";
     for (int n = 32; n <= 64; n *= 2)
         claim(c, phrase("T-1b.four-%d", n),
-              phrase("Four periods, N = %d: largest error over FEM's", n),
+              phrase("GE-WLS, ring, four periods, N = %d: largest error over FEM's", n),
               measure_ratio(select_value(rows, "error_linf", four_periods, "ge_wls", n),
                             select_value(rows, "error_linf", four_periods, "fem", n)),
               0, 1);

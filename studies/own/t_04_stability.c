@@ -124,19 +124,22 @@ static void check_bar(Check *c, const Table *worst)
         {"T-4.ge-gimp-.01", "ge_gimp", "GE-GIMP", ".01", "", 0.01, 1, 1.1}};
     static const char ge[] = "method=ge_gimp integrator=cd";
     for (size_t k = 0; k < sizeof known / sizeof *known; k++)
-        claim(c, known[k].id,
-              phrase("%s with cd, 1D, A = %s%s: largest stable CFL at the worst PPC",
-                     known[k].label, known[k].amplitude, known[k].more),
-              bar(worst, "stable", phrase("method=%s integrator=cd", known[k].method), known[k].A),
-              known[k].low, known[k].high);
-    claim_differs(c, "T-4.ge-gimp-.05",
-                  "GE-GIMP with cd, 1D, A = .05: largest stable CFL at the worst PPC",
-                  bar(worst, "stable", ge, 0.05), 0.6, 0.7, 0.1, 0.6,
-                  "runs end well up to .6, but energy grows by more than 5 % long before");
-    claim(
-        c, "T-4.ge-gimp-.05-kept",
-        "GE-GIMP with cd, 1D, A = .05: largest CFL at which no run is lost, energy growth allowed",
-        bar(worst, "kept", ge, 0.05), 0.6, 0.7);
+        claim(
+            c, known[k].id,
+            phrase(
+                "Standing wave in a bar, %s with cd, A = %s%s: largest stable CFL at the worst PPC",
+                known[k].label, known[k].amplitude, known[k].more),
+            bar(worst, "stable", phrase("method=%s integrator=cd", known[k].method), known[k].A),
+            known[k].low, known[k].high);
+    claim_differs(
+        c, "T-4.ge-gimp-.05",
+        "Standing wave in a bar, GE-GIMP with cd, A = .05: largest stable CFL at the worst PPC",
+        bar(worst, "stable", ge, 0.05), 0.6, 0.7, 0.1, 0.6,
+        "runs end well up to .6, but energy grows by more than 5 % long before");
+    claim(c, "T-4.ge-gimp-.05-kept",
+          "Standing wave in a bar, GE-GIMP with cd, A = .05: largest CFL at which no run is lost, "
+          "energy growth allowed",
+          bar(worst, "kept", ge, 0.05), 0.6, 0.7);
 }
 
 static void check(Check *c, const Results *r)
@@ -146,22 +149,27 @@ static void check(Check *c, const Results *r)
     for (int k = 0; k < 2; k++) {
         const char *pair = k ? "method=gimp integrator=uvf" : "method=gimp integrator=musl";
         claim(c, k ? "T-4.uvf" : "T-4.musl",
-              k ? "GIMP with uvf, 1D: largest stable CFL, the lower of A = 1e-4 and .01"
-                : "GIMP with musl, 1D: largest stable CFL, the lower of A = 1e-4 and .01",
+              k ? "Standing wave in a bar, GIMP with uvf: largest stable CFL, the lower of A = "
+                  "1e-4 and .01"
+                : "Standing wave in a bar, GIMP with musl: largest stable CFL, the lower of A = "
+                  "1e-4 and .01",
               measure_min(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4,
               2);
     }
     claim(c, "T-4.plane-gimp",
-          "GIMP with cd, 2D: largest stable CFL, worst amplitude and PPC (own measurement)",
+          "Axis-aligned waves in 2D, GIMP with cd: largest stable CFL, worst amplitude and PPC "
+          "(own measurement)",
           plane(worst, "gimp", "cd"), 0.65, 0.8);
     claim(c, "T-4.plane-bspline",
-          "B-splines with cd, 2D: largest stable CFL, worst amplitude and PPC (own measurement)",
+          "Axis-aligned waves in 2D, B-splines with cd: largest stable CFL, worst amplitude and "
+          "PPC (own measurement)",
           plane(worst, "bspline", "cd"), 0.9, 1.2);
-    claim(c, "T-4.plane-fem", "FEM, 2D: largest stable CFL, worst amplitude (own measurement)",
+    claim(c, "T-4.plane-fem",
+          "Axis-aligned waves in 2D, FEM: largest stable CFL, worst amplitude (own measurement)",
           plane(worst, "fem", "cd"), 0.6, 0.8);
     claim(c, "T-4.stale",
-          "Methods that project twice a step with a stale gradient: largest stable CFL of all of "
-          "them",
+          "Standing waves: methods that project twice a step with a stale gradient are stable at "
+          "no step: largest stable CFL of all of them",
           best_stale(worst), 0, 0);
 }
 

@@ -191,11 +191,12 @@ static int take_every(RunArgs *args, const char *got, Fault *fault)
     const size_t n = strlen(got);
     spec->every = 0;
     spec->every_s = 0;
-    if (n == 0 || n >= sizeof number || got[n - 1] != 's')
-        return option_whole("--every", got, 1000000000, &spec->every, fault);
+    const bool timed = n > 0 && n < sizeof number && got[n - 1] == 's';
     snprintf(number, sizeof number, "%.*s", (int)n - 1, got);
-    if (info_number_parse(number, &t) || t <= 0)
-        return option_refuse(fault, "--every", got, "steps, or seconds above 0 as .001s", NULL, 0);
+    if (timed ? info_number_parse(number, &t) || t <= 0
+              : option_whole("--every", got, 1000000000, &spec->every, fault))
+        return option_refuse(fault, "--every", got,
+                             "steps from 1 to 1000000000, or seconds above 0 as .001s", NULL, 0);
     spec->every_s = t;
     return 0;
 }

@@ -34,7 +34,9 @@ static void paper(const Page *page, const char *prefix, const char *name)
             "</span>",
             differs, fails);
     if (not_run) fprintf(page->f, ", <span class=\"v NOT_RUN\">%d not run</span>", not_run);
-    fputs(".</p>\n", page->f);
+    fputs(".", page->f);
+    page_sentences(page, prefix);
+    fputs("</p>\n", page->f);
 }
 
 void page_papers(const Page *page)

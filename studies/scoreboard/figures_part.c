@@ -1,12 +1,11 @@
 /* figures_part.c: one card per figure: picture, claims, origin of the numbers, and the command.
  * Pictures are embedded: the drawing itself, or its pixels where those are shorter. */
-#include <ctype.h>
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include "studies/phrase.h"
-#include "studies/runs/must.h"
+#include "drawing.h"
 #include "parts.h"
 
 enum { MOVING = 600000 }; /* bytes of a moving picture that the page takes */
@@ -33,107 +32,32 @@ static void put_base64(FILE *out, FILE *in)
     }
 }
 
-/* Where in a drawing a character stands. */
-typedef struct Place {
-    bool in_tag, quoted, blank; /* blank: white space was before it */
-    int before;                 /* the last character kept */
-    int decimals;               /* of the number, that were kept; -1: before its point */
-} Place;
-
-/* Is the second decimal of a coordinate: less than a tenth of a pixel. */
-static bool is_too_exact(Place *at, int c)
+/* The file of this name as an image: its bytes, or (drawing) that text. */
+static void put_image(const Page *page, const char *name, const char *about, const char *ending,
+                      const char *drawing)
 {
-    if (!isdigit(c) || !at->quoted) at->decimals = c == '.' && isdigit(at->before) ? 0 : -1;
-    return isdigit(c) && at->decimals >= 0 && at->decimals++ > 0;
-}
-
-/* Does white space say nothing here: between tags, behind a bracket or comma, before a command of
- * a path? */
-static bool is_idle_blank(const Place *at, int c)
-{
-    return at->quoted ? strchr("(,\"", at->before) || (strchr("MLlhvz", c) && isdigit(at->before))
-                      : strchr("<>\"", at->before) && strchr("</>", c);
-}
-
-/* What gnuplot says of every piece of a drawing, and what this page says instead: the font once,
- * ends and corners of lines as they are by default. */
-static const struct {
-    const char *said, *instead;
-} sayings[] = {{"<g id=\"gnuplot_canvas\"", "<g font-family=\"DejaVu Sans\""},
-               {" font-family=\"DejaVu Sans\"", ""},
-               {" stroke-linecap=\"butt\" stroke-linejoin=\"miter\"", ""}};
-
-static void put_character(FILE *out, Place *at, int c)
-{
-    if (isspace(c)) {
-        at->blank = true;
-        at->decimals = -1;
-        return;
-    }
-    if (c == '\'' && at->in_tag) c = '"';
-    if (at->in_tag && is_too_exact(at, c)) return;
-    if (at->blank && !is_idle_blank(at, c)) putc(' ', out);
-    at->blank = false;
-    at->in_tag = c == '<' || (at->in_tag && c != '>');
-    at->quoted = at->in_tag && at->quoted != (c == '"');
-    at->before = c;
-    if (strchr("#%'", c))
-        fprintf(out, "%%%02X", (unsigned)c);
-    else if (c == '&')
-        fputs("&amp;", out);
-    else
-        putc(c, out);
-}
-
-/* A drawing as the text of a URL in single quotes, without what no reader sees. */
-static void put_drawing(FILE *out, FILE *in, long size)
-{
-    Place at = {.before = '>', .decimals = -1};
-    char *text = must(calloc((size_t)size + 1, 1));
-    const size_t n = fread(text, 1, (size_t)size, in);
-    for (const char *s = text; s < text + n;) {
-        const char *instead = NULL;
-        for (size_t k = 0; k < sizeof sayings / sizeof *sayings && !instead; k++)
-            if (strncmp(s, sayings[k].said, strlen(sayings[k].said)) == 0) {
-                instead = sayings[k].instead;
-                s += strlen(sayings[k].said);
-            }
-        if (!instead)
-            put_character(out, &at, (unsigned char)*s++);
-        else
-            for (; *instead; instead++) put_character(out, &at, (unsigned char)*instead);
-    }
-    free(text);
-}
-
-/* name.ending as an image; a drawing as text. */
-static void put_image(const Page *page, const char *name, const char *about, const char *ending)
-{
-    const bool drawing = strcmp(ending, "svg") == 0;
-    const char *path = phrase("%s/%s.%s", page->dir, name, ending);
-    FILE *in = fopen(path, "rb");
-    if (!in) return;
     page_element(page->f, "<img alt=\"", about, "\" src='data:image/");
-    fputs(drawing                 ? "svg+xml;charset=utf-8,"
-          : strcmp(ending, "gif") ? "png;base64,"
-                                  : "gif;base64,",
-          page->f);
-    if (drawing)
-        put_drawing(page->f, in, size_of(page, name, ending));
-    else
-        put_base64(page->f, in);
+    if (drawing) {
+        fprintf(page->f, "svg+xml;charset=utf-8,%s", drawing);
+    } else {
+        FILE *in = fopen(phrase("%s/%s.%s", page->dir, name, ending), "rb");
+        fprintf(page->f, "%s;base64,", strcmp(ending, "gif") ? "png" : "gif");
+        if (in) put_base64(page->f, in);
+        if (in) fclose(in);
+    }
     fputs("'>\n", page->f);
-    fclose(in);
 }
 
 /* The drawing, or the pixels that were drawn for this page where those are shorter (plot.c); and a
  * moving picture, if there is one that is small enough. */
 static void picture(const Page *page, const char *name, const char *about)
 {
-    const long gif = size_of(page, name, "gif");
-    const long svg = size_of(page, name, "svg"), png = size_of(page, name, "page.png");
-    if (svg > 0) put_image(page, name, about, png > 0 && 4 * png < 3 * svg ? "page.png" : "svg");
-    if (gif > 0 && gif < MOVING) put_image(page, name, "the same, moving", "gif");
+    const long gif = size_of(page, name, "gif"), png = size_of(page, name, "page.png");
+    char *drawing = drawing_read(phrase("%s/%s.svg", page->dir, name));
+    const bool pixels = drawing && png > 0 && 4 * png < 3 * (long)strlen(drawing);
+    if (drawing) put_image(page, name, about, "page.png", pixels ? NULL : drawing);
+    if (gif > 0 && gif < MOVING) put_image(page, name, "the same, moving", "gif", NULL);
+    free(drawing);
 }
 
 static void figure_claims(const Page *page, const Study *study)

@@ -23,6 +23,9 @@ void page_needs(const Page *page);      /* which method by need, with its eviden
 void page_statements(const Page *page); /* what the papers say, sentence by sentence */
 void page_problems(const Page *page);   /* one card per problem */
 
+/* How many of the paper's sentences hold in all their claims, wherever these stand. */
+void page_sentences(const Page *page, const char *paper);
+
 /* Every method's price of each error, if dir/NAME.reach.csv is there. */
 void page_prices(const Page *page, const char *name);
 

@@ -37,6 +37,40 @@ static void put_claims(const Page *page, const Statement *s)
     if (*s->why) page_element(page->f, "<span class=\"soft\">no claim: ", s->why, "</span>");
 }
 
+/* Of a sentence: PASS if all its claims do, else the first other verdict; NOT_RUN if one is not
+ * there. */
+static Verdict verdict_of(const Page *page, const Statement *s)
+{
+    char ids[1024], *rest = NULL;
+    Verdict verdict = PASS;
+    snprintf(ids, sizeof ids, "%s", s->claims);
+    for (char *w = strtok_r(ids, " ", &rest); w; w = strtok_r(NULL, " ", &rest)) {
+        const Claim *c = claim_named(page, w);
+        if (verdict == PASS) verdict = c ? c->verdict : NOT_RUN;
+    }
+    return verdict;
+}
+
+void page_sentences(const Page *page, const char *paper)
+{
+    int n = 0, tested = 0, of[NOT_RUN + 1] = {0};
+    for (const Statement *s = statements; s->paper; s++) {
+        if (strcmp(s->paper, paper) != 0 || !statement_is_published(s)) continue;
+        n++;
+        if (!*s->claims) continue;
+        tested++;
+        of[verdict_of(page, s)]++;
+    }
+    if (n == 0) return;
+    fprintf(page->f,
+            " Of %d sentences that can be measured, claims test %d, here or on pages of our own: "
+            "<span class=\"v PASS\">%d hold</span>, <span class=\"v DIFFERS\">%d differ</span> in "
+            "some claim, <span class=\"v FAIL\">%d fail</span>",
+            n, tested, of[PASS], of[DIFFERS], of[FAIL]);
+    if (of[NOT_RUN]) fprintf(page->f, ", <span class=\"v NOT_RUN\">%d not run</span>", of[NOT_RUN]);
+    fputs(".", page->f);
+}
+
 void page_statements(const Page *page)
 {
     const char *last = "";

@@ -35,6 +35,11 @@ typedef struct Efforts {
  * meshes of one set of options stand together, from coarse to fine. */
 void effort_tables(const Results *results, int repeats);
 
+/* A column of NAME.reach.csv of one method over that of another, where both reach the target by
+ * themselves; `target` is "problem=ring target=0.001". */
+Measure effort_ratio(const Results *results, const char *target, const char *column,
+                     const char *method, const char *beside);
+
 /* The lines of NAME.reach.csv. */
 void effort_reach_write(FILE *f, const Efforts *all);
 

@@ -1,6 +1,7 @@
 /* effort_reach.c: what it costs to reach a given error: NAME.reach.csv of effort.h. */
 #include <math.h>
 #include <string.h>
+#include "studies/select.h"
 #include "effort.h"
 
 enum { TARGETS = 4 };
@@ -131,4 +132,13 @@ void effort_reach_write(FILE *f, const Efforts *all)
             write_cost(f, &c, targets[t]);
         }
     }
+}
+
+Measure effort_ratio(const Results *r, const char *target, const char *column, const char *method,
+                     const char *beside)
+{
+    static const char where[] = "%s method=%s how=reached";
+    const Table *t = results_part(r, "reach");
+    return measure_ratio(select_value(t, column, where, target, method),
+                         select_value(t, column, where, target, beside));
 }

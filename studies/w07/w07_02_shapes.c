@@ -67,8 +67,8 @@ static void check_nodes(Check *c, const Table *rows)
 static void check(Check *c, const Results *r)
 {
     static const char *const ids[] = {"W07-2.mpm-unity", "W07-2.gimp-unity"};
-    static const char *const says[] = {"MPM's functions add up to 1: largest departure",
-                                       "GIMP's functions add up to 1: largest departure"};
+    static const char *const says[] = {"MPM's trial functions add up to 1: largest departure",
+                                       "GIMP's trial functions add up to 1: largest departure"};
     Curve curve;
     for (int m = 0; m < 2; m++) {
         curve_pick(&curve, r->rows, "r", "S", "method=%s", methods[m]);

@@ -50,22 +50,24 @@ static void check(Check *c, const Results *r)
 {
     for (int a = 0; a < ARRANGEMENTS; a++)
         claim_note(c, arrangements[a], error(r->rows, 0, a).value);
-    claim(c, "W07-3.centred", "Linear field: MPM's error is zero for perfectly centred particles",
+    claim(c, "W07-3.centred",
+          "Linear field in four cells: MPM's error is zero for perfectly centred particles",
           error(r->rows, 0, 0), 0, 1e-14);
     claim(c, "W07-3.mpm-others",
-          "Linear field: MPM's error is not zero in the three arrangements that are not centred: "
-          "the least of them",
+          "Linear field in four cells: MPM's error is not zero in the three arrangements that are "
+          "not centred: the least of them",
           least_of_others(r->rows, 0), 0.001, 1);
     claim(c, "W07-3.sizes",
-          "Linear field: particles of unequal mass are projected with an error: the lesser of "
-          "MPM's and GIMP's",
+          "Linear field in four cells: particles of unequal mass are projected with an error: the "
+          "lesser of MPM's and GIMP's",
           measure_min(error(r->rows, 0, 2), error(r->rows, 1, 2)), 0.003, 0.007);
     claim(c, "W07-3.gimp-others",
-          "Linear field: GIMP's error is not zero in the three arrangements that are not centred: "
-          "the least of them",
+          "Linear field in four cells: GIMP's error is not zero in the three arrangements that are "
+          "not centred: the least of them",
           least_of_others(r->rows, 1), 0.001, 1);
     claim(c, "W07-3.ge-zero",
-          "Linear field: GE-MPM and GE-GIMP: the error is zero in all four arrangements: largest",
+          "Linear field in four cells: GE-MPM and GE-GIMP: the error is zero in all four "
+          "arrangements: largest",
           worst_enhanced(r->rows), 0, 1e-13);
 }
 

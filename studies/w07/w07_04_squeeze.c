@@ -7,7 +7,7 @@ enum { CELLS = 10 };
 
 static void cases(Cases *list, bool quick)
 {
-    static const int counts[] = {5, 10, 13, 20, 27, 36}; /* 0.5 to 3.6 a cell */
+    static const int counts[] = {5, 10, 13, 20, 27, 36}; /* 0.5 to 3.6 per cell */
     (void)quick;
     for (int k = 0; k < 6; k++)
         case_add_with(list, "particles", phrase("%d", counts[k]),

@@ -66,9 +66,12 @@ static void check(Check *c, const Results *r)
     claim_note(c, "mpm", plain.value);
     claim_note(c, "ge_mpm", enhanced.value);
     claim(c, "W07-7.momentum",
-          "The enhanced projection conserves momentum: nodes' total over particles', less 1",
+          "Quadratic field from five particles in three cells, GE-MPM: the enhanced projection "
+          "conserves momentum: nodes' total over particles', less 1",
           momentum_error(r), 0, 1e-14);
-    claim(c, "W07-7.better", "Extrapolated values lower the error: enhanced over plain",
+    claim(c, "W07-7.better",
+          "Quadratic field from five particles in three cells: extrapolated values lower the "
+          "error: GE-MPM's over MPM's",
           measure_ratio(enhanced, plain), 0, 0.8);
 }
 

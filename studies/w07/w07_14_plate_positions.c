@@ -35,7 +35,8 @@ static void check(Check *c, const Results *r)
 {
     claim_note(c, "exaggeration", exaggeration);
     claim(c, "W07-14.mirrored",
-          "Half a period later displacements have changed sign: largest departure over A (h = 1/8)",
+          "Plate, GE-GIMP, h = 1/8: half a period later displacements have changed sign: largest "
+          "departure over A",
           asymmetry(results_run(r, "start"), results_run(r, "half")), 0, 0.1);
 }
 

@@ -139,13 +139,13 @@ static void check(Check *c, const Results *r)
     (void)r;
     const double worst = worst_departure(&masks);
     claim(c, "W11-2.masks",
-          "All 16 masks, a thousand distances each: area and first moments of the shape against "
-          "formulas by hand, largest departure",
+          "Cut cell, all 16 patterns of corners inside, a thousand distances each: area and first "
+          "moments of the shape against formulas by hand, largest departure",
           measure_formula(worst), 0, 1e-12);
     claim_note(c, "masks", masks);
     claim(c, "W11-2.smooth",
-          "The area inside varies smoothly as a boundary passes: largest change per length moved, "
-          "in cell sides (a jump would give 1000)",
+          "Cut cell: the area inside varies smoothly as a boundary passes: largest change per "
+          "length moved, in cell sides (a jump of the whole cell would give 667)",
           measure_formula(fastest_change()), 1, 1.001 * M_SQRT2);
 }
 

@@ -107,10 +107,11 @@ static void check(Check *c, const Results *r)
         spurious += is > 0;
         if (R >= 0.625 && R <= 1.1) measure_add(&inner, is);
     }
-    claim(c, "W11-3.outside", "WLS: no node inside the ring is spurious: how many are", inner, 0,
-          0);
+    claim(c, "W11-3.outside", "Ring, WLS, N = 16: no node inside is spurious: how many are", inner,
+          0, 0);
     claim(c, "W11-3.circular",
-          "Lines of equal weight are nearly circles: least over largest radius, weight .12",
+          "A node's lines of equal weight (eq 4) are nearly circles: least over largest radius, "
+          "weight .12",
           measure_formula(roundness(trigger)), 0.95, 1);
     claim(c, "W11-3.trigger",
           "Trigger weights .1 to .25 do equally well: (largest - least)/largest error on the ring, "

@@ -46,7 +46,8 @@ static Look look(const Results *r, const char *method, const char *time)
 static void check(Check *c, const Results *r)
 {
     const Look start = look(r, "wls", "0"), later = look(r, "wls", "2"), last = look(r, "wls", "3");
-    claim(c, "W11-7.flight", "Disk, WLS: strain energy at t = 0 over that at t = 3",
+    claim(c, "W11-7.flight",
+          "Disk, WLS: no strain energy in free flight: at t = 0 over that at t = 3",
           measure_ratio(start.energy, last.energy), 0, 1e-12);
     claim(c, "W11-7.vibration",
           "Disk, WLS: little strain energy is left between two impacts: strain energy at t = 2 "

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# cluster.sh PROGRAM FOLDER: the README's lines for a study spread over hosts by GNU parallel and over a Slurm
+# cluster.sh PROGRAM FOLDER: studies/README.md's lines for a study spread over hosts by GNU parallel and over a Slurm
 # array, tried for real: parallel on this host, slurmd as the only node of a cluster of its own. Their tables
 # must be those of a plain run. Prints "N passed, N failed"; what is not installed is SKIPPED. Daemons are
 # stopped by the pids they wrote.

@@ -27,7 +27,7 @@ static const struct {
 
 /* Momentum is what walls and forces gave, for every stable pair in every variant: to round-off;
  * with WLS to what return and repair add (below), a third above the largest measured. The plate is
- * its own mirror image along both axes, so that they add nothing. */
+ * symmetric about both axes, so that with it they add nothing. */
 static void test_momentum_ledger(void)
 {
     char set[VARIANT_TEXT];
@@ -44,10 +44,10 @@ static void test_momentum_ledger(void)
         }
 }
 
-/* WLS keeps momentum on the grid, between its sound nodes: forces integrated over cells and the
- * reactions booked at walls are all that moves them. Others move with a mean of their neighbours:
- * what cells gave them is lost, and is the tolerance. (Trigger 0: there are few of
- * them. No symmetry lines, where a node's mass is not the body's own.) */
+/* WLS conserves momentum on the grid, over its sound nodes: these are moved by forces integrated
+ * over cells and by the reactions recorded at walls alone. Other nodes move with a mean of their
+ * neighbours, so that the force on them is lost: that is the tolerance. (trigger=0 makes them few.
+ * No symmetry lines, where a node's mass is not the body's own.) */
 static const Case walled[] = {
     {1, "bar", 20, 2, 0, NULL},         {1, "sine_bar", 16, 2, 0, NULL},
     {1, "free_block", 32, 2, 0, NULL},  {2, "axis_mms", 8, 4, 0, NULL},
@@ -60,8 +60,9 @@ static const char *const kinds[][2] = {{"wls", "trigger=0;allow_unstable=1"},
                                        {"ge_wls", "trigger=0;allow_unstable=1;mass=lumped"},
                                        {"ge_wls", "trigger=0;allow_unstable=1"}};
 
-/* Of sound nodes sum dt m a and its size, after the solution; of the others, before and after it,
- * dt times the force and share of the mass correction that they got, and lost. */
+/* gain, size: sum of dt m a over sound nodes after the solution, and of its absolute values. lost:
+ * dt times the force on the other nodes before it, and their share of the mass correction after it.
+ */
 typedef struct Grains {
     Vec gain;
     double size, lost;
@@ -92,7 +93,8 @@ static void add_nodes(const Sim *sim, double dt, bool solved, Grains *out)
             add_node(sim, (size_t)row * (size_t)g->n[0] + (size_t)i, dt, solved, out);
 }
 
-/* The state's forces, once more; returns whether the sum was looked at to round-off. */
+/* Repeats deposit and solution at the present state, and checks the sum; returns whether the
+ * tolerance was round-off. */
 static bool check_grid_now(Sim *sim, double t, double dt)
 {
     const bool images = sim->method.wall_images;
@@ -117,12 +119,12 @@ static int check_grid_ledger(Rig *r)
     double given = 0;
     int strict = 0;
     for (int k = 0; k < 40; k++) {
-        if (!rig_steps(r, sim, k, k + 1)) break; /* with this trigger some get lost */
+        if (!rig_steps(r, sim, k, k + 1)) break; /* some runs are lost with this trigger */
         if (sim->travel > 1) continue;           /* to be sorted first */
         strict += check_grid_now(sim, k * r->dt, r->dt);
         for (int a = 0; a < DIM; a++) given += fabs(sim->impulse[a]);
     }
-    CU_ASSERT(given > 1e-6 || r->plan.scene.nwall == 0); /* the walls were met */
+    CU_ASSERT(given > 1e-6 || r->plan.scene.nwall == 0); /* the body has reached the walls */
     sim_free(sim);
     return strict;
 }

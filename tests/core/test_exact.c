@@ -204,7 +204,7 @@ static void test_contiguous(void)
     }
 }
 
-/* ---- free fall from rest (H14) */
+/* ---- free fall from rest (H-14) */
 static const double gravity[3] = {-30, 20, 50};
 
 static void fall(const Scene *s, int n, ConstFields X, double t, Fields b)
@@ -268,9 +268,9 @@ static void strained(const Scene *s, int n, ConstFields X, Fields u, Fields v, F
 
 static const Problem alone = {.cfl = 0.1, .init = box_init, .place = place_one, .start = strained};
 
-/* It must not be thrown about: a tent's far node of mass 1e-14 m would feel the whole force, and F
- * change by 1e10; a smooth weight's force fades with it. Without that node F changes by a few per
- * cent. */
+/* Its strain must not jump: a tent's far node of mass 1e-14 m would receive the whole force, and F
+ * would change by 1e10; with smooth weights the force vanishes with the mass. Without that node F
+ * changes by a few per cent. */
 static void test_light_node(void)
 {
     const double edge[] = {0, 0.5 * 1.1}; /* half a spacing, stretched */

@@ -1,5 +1,5 @@
 /* test_hard.c: the block of the hard cases: what is imposed is what happens, and what should not
- * change does not; particles exactly on nodes; the order of walls (H12). */
+ * change does not; particles exactly on nodes; the order of walls. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,7 +100,7 @@ static void last_line(const char *path, double out[8])
     remove(path);
 }
 
-/* A lattice of N points an axis has the second moment (1 - 1/N^2)/12 about its centre. */
+/* A lattice of N points per axis has the second moment (1 - 1/N^2)/12 about its centre. */
 static void test_history(void)
 {
     enum { VOLUME, LEAST, MOST, ANGULAR };
@@ -121,7 +121,7 @@ static void test_history(void)
     CHECK_CLOSE(end[ANGULAR] / (w * (1 - 1.0 / (32 * 32)) / 6), turned, 1e-2);
 }
 
-/* H12: every other particle exactly on a node (four per axis, stretch 2), in tension; mirrored.
+/* Every other particle exactly on a node (four per axis, stretch 2), in tension; mirrored.
  * (WLS may return through the cell above a node: no image, but the run must go on.) */
 static double *on_nodes(const Method *m, double sign, int *n)
 {
@@ -173,7 +173,7 @@ static void test_on_nodes(void)
     CU_ASSERT(compared >= 7);
 }
 
-/* H12: walls are given in another order: not a bit changes. */
+/* Walls given in another order change no bit. */
 static void test_wall_order(void)
 {
     const Case walled[] = {{1, "sine_bar", 16, 0, 0, NULL},

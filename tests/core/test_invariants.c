@@ -38,7 +38,7 @@ static void check_momentum(Rig *r)
     double *end = rig_state(sim), size = momentum_of(start, n, before);
     momentum_of(end, n, after);
     for (int d = 0; d < DIM; d++) CHECK_CLOSE(after[d], before[d], share * size);
-    CU_ASSERT(rig_distance(start, end, n, false) > 1e-3); /* it did move */
+    CU_ASSERT(rig_distance(start, end, n, false) > 1e-3); /* it has moved */
     for (int k = 0; k < n; k++) CU_ASSERT(start[AT_M * n + k] == end[AT_M * n + k]);
     free(start), free(end), sim_free(sim);
 }

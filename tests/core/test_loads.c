@@ -2,7 +2,7 @@
  * wall that holds the body. */
 #include "common/contract/layout.h"
 #include "common/contract/problem.h"
-#include "tests/check.h"
+#include "tests/fixture.h"
 
 extern const Problem problem_cantilever, problem_hanging_bar;
 
@@ -27,20 +27,12 @@ static Load load_at(const Scene *s, double t)
     return sum;
 }
 
-static Scene scene_of(const Problem *problem, const double par[])
-{
-    Scene s = {.problem = problem, .par = par, .cell = 1.0 / 16};
-    char why[128];
-    CU_ASSERT_FATAL(problem->init(&s, why) == 0);
-    return s;
-}
-
 /* tau H = .01 E downwards at the end of the ramp, in proportion to time before. The load grows
  * linearly over the last metre: its centre lies at X = 3 + 2/3 (by midpoints: 1/(12 32^2) less). */
 static void test_cantilever(void)
 {
     const double par[] = {1e4, 0.3, 0.01, 0}, tau = 0.01 * 1e4;
-    const Scene s = scene_of(&problem_cantilever, par);
+    const Scene s = rig_bare_scene(&problem_cantilever, par, 1.0 / 16);
     for (int k = 1; k <= 4; k++) {
         const double part = k < 4 ? k / 3.0 : 1;
         const Load load = load_at(&s, k / 3.0 * s.t_end);
@@ -57,7 +49,7 @@ static void test_cantilever(void)
 static void test_hanging_bar(void)
 {
     const double par[] = {1e6, 0.3, 1050, 1000};
-    const Scene s = scene_of(&problem_hanging_bar, par);
+    const Scene s = rig_bare_scene(&problem_hanging_bar, par, 1.0 / 16);
     for (int k = 0; k < 2; k++) {
         const Load load = load_at(&s, k * s.t_end);
         CHECK_CLOSE(load.force[0], 0, 0);

@@ -1,6 +1,7 @@
 /* test_on_nodes.c: tents and particles on nodes: what the rule of common/core/on_node.c promises,
- * and what WLS does instead. Without it L = -v/h in a body that drifts, and momentum comes from
- * nowhere. (Mirrored bodies, threads: test_invariants.c; walls and symmetry lines: test_twin.c.) */
+ * and what WLS does instead. Without it L = -v/h in a body that drifts, and momentum is not
+ * conserved. (Mirrored bodies, threads: test_invariants.c; walls, symmetry lines: test_textbook.c.)
+ */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -49,6 +49,7 @@ static State advance(const Peer *peer)
     strcpy(spec.method, peer->method);
     strcpy(spec.integrator, peer->integrator);
     if (peer->set) CU_ASSERT_FATAL(spec_set(&spec, peer->set, NULL) == 0);
+    check_context_of(DIM, &spec);
     CU_ASSERT_FATAL(plan_make(&spec, &plan, NULL) == 0);
     CHECK_CLOSE(plan.cfl * plan.scene.cell / plan.scene.c / dt, 1, 1e-15);
     void *self = plan.solver->make(&plan.setup, NULL);

@@ -259,7 +259,7 @@ static void test_scenes(void)
         chunks += sim->nblock > 1;
         sim_free(sim);
     }
-    if (DIM < 3) CU_ASSERT(wide >= 2 && narrow >= 2 && chunks >= 1); /* 3D has no scenes yet */
+    if (DIM < 3) CU_ASSERT(wide >= 2 && narrow >= 2 && chunks >= 1); /* 3D: the corner below */
 }
 
 /* A velocity gradient about x becomes one about X: L_X = L F. */

@@ -1,6 +1,7 @@
 /* test_fem.c: the FEM solver on its own: patch, rotation, ledger, order, threads. */
 #include <string.h>
 #include "fem_check.h"
+#include "tests/fixture.h"
 
 extern const Problem problem_ring;
 
@@ -39,14 +40,6 @@ static Scene plate(const Problem *problem, const double G[NMAT])
                .body = {BODY_HOLE_PLATE, {0, 0}, 0.5, 0, 0, M_PI / 2}};
     s.c = material_wave_speed_p(&s.mat);
     memcpy(s.k, G, sizeof(Mat));
-    return s;
-}
-
-static Scene ring(const double par[6], int cells)
-{
-    Scene s = {.problem = &problem_ring, .par = par, .cell = 1.0 / cells};
-    char why[128];
-    CU_ASSERT(problem_ring.init(&s, why) == 0);
     return s;
 }
 
@@ -171,7 +164,7 @@ static double error_now(const Fem *f, double t)
  * t^n K and the power are means over the half steps around it; the ring starts at rest. */
 static void run_ring(const double par[6], int cells, double cfl, double *error, double *drift)
 {
-    const Scene s = ring(par, cells);
+    const Scene s = rig_bare_scene(&problem_ring, par, 1.0 / cells);
     Fem *f = make(&s, cells, 1);
     const int n = (int)ceil(s.t_end / (cfl * solver_fem.unit_dt(f)) - 1e-9);
     const double dt = s.t_end / n, start = strain(f);
@@ -226,7 +219,7 @@ static void test_energy(void)
 
 static void test_momentum(void)
 {
-    const Scene s = ring(quarter, 16);
+    const Scene s = rig_bare_scene(&problem_ring, quarter, 1.0 / 16);
     Fem *f = make(&s, 16, 1);
     Vec impulse;
     double dt = 0.3 * solver_fem.unit_dt(f);
@@ -251,7 +244,7 @@ static void test_momentum(void)
 
 static void test_threads(void)
 {
-    const Scene s = ring(full, 64);
+    const Scene s = rig_bare_scene(&problem_ring, full, 1.0 / 64);
     Fem *one = make(&s, 64, 1);
     const double dt = 0.3 * solver_fem.unit_dt(one);
     for (int k = 0; k < 20; k++) solver_fem.step(one, k * dt, dt, k == 0);

@@ -122,7 +122,7 @@ static void test_impact(void)
         for (int d = 0; d < DIM; d++) p[d] += f->m[i] * f->v[d][i];
     }
     CU_ASSERT(lowest == 0);
-    CHECK_CLOSE(least / start, 0.53, 0.03); /* PHYSICS 9 */
+    CHECK_CLOSE(least / start, 0.53, 0.03); /* of finer meshes */
     CHECK_CLOSE(p[0], 0.2 * mass, 1e-12 * mass);
     CHECK_CLOSE(p[1], -0.2 * mass + impulse[1], 1e-12 * mass);
     CU_ASSERT(p[1] > 0.15 * mass);
@@ -174,6 +174,7 @@ static void test_integrator(void)
     const Scene s = quarter_ring(&spinning);
     Fault fault = {0};
     Setup setup = {.scene = &s, .cells = 8, .integrator = UVF, .threads = 1};
+    check_context(DIM, s.problem->info.name, "fem", "uvf", NULL);
     CU_ASSERT_PTR_NULL(solver_fem.make(&setup, &fault));
     CU_ASSERT_EQUAL(fault.code, FAULT_USAGE);
 }

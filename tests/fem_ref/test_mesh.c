@@ -140,15 +140,17 @@ static void test_too_many(void)
     Fault fault = {0};
     shapes(shape);
     for (int s = 0; s < SHAPES; s++) {
+        check_context(DIM, shape[s].name, "fem", "cd", "cells 1e8");
         Setup setup = {
             .scene = &shape[s].scene, .cells = 100000000, .integrator = CD, .threads = 1};
         CU_ASSERT_PTR_NULL(fem_new(&setup, &fault));
         CU_ASSERT_EQUAL(fault.code, FAULT_MACHINE);
     }
-    Setup unknown = {.scene = &shape[0].scene, .cells = 8, .integrator = CD, .threads = 1};
-    shape[0].scene.body.kind = (BodyKind)17;
-    CU_ASSERT_PTR_NULL(fem_new(&unknown, &fault));
-    CU_ASSERT_EQUAL(fault.code, FAULT_USAGE);
+    static const Problem odd = {.info = {.name = "odd"}};
+    check_context(DIM, "odd", "fem", "cd", NULL);
+    CU_ASSERT_EQUAL(solver_fem.takes(&shape[0].scene, &fault), 0);
+    const Scene unknown = {.problem = &odd, .body = {.kind = (BodyKind)17}};
+    CU_ASSERT_EQUAL(solver_fem.takes(&unknown, &fault), FAULT_USAGE);
 }
 
 static const TestCase tests[] = {

@@ -102,6 +102,7 @@ static void test_body(void)
     Fault fault = {0};
     Setup setup = {
         .scene = &s, .cells = 6, .integrator = CD, .threads = 1, .method_par = integrate};
+    check_context(DIM, s.problem->info.name, "fem", "cd", "body=elements");
     Fem *f = solver_fem.make(&setup, &fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(f);
     CU_ASSERT(solver_fem.step(f, 0, dt, true).code == OK);

@@ -7,9 +7,9 @@
 #include "common/base/fault.h"
 
 /* Each returns NULL, or what is wrong with how n bytes of input were taken. */
-const char *fuzz_run(const unsigned char *data, size_t n);     /* arguments of `run`, one a line */
-const char *fuzz_set(const unsigned char *data, size_t n);     /* a problem, then settings */
-const char *fuzz_case(const unsigned char *data, size_t n);    /* a run text, run for two steps */
+const char *fuzz_run(const unsigned char *data, size_t n);  /* arguments of `run`, one per line */
+const char *fuzz_set(const unsigned char *data, size_t n);  /* a problem, then settings */
+const char *fuzz_case(const unsigned char *data, size_t n); /* a run text, run for two steps */
 const char *fuzz_journal(const unsigned char *data, size_t n); /* a journal, or records of one */
 const char *fuzz_table(const unsigned char *data, size_t n);   /* a CSV table */
 const char *fuzz_append(const unsigned char *data, size_t n);  /* a table that a row is added to */

@@ -1,8 +1,8 @@
 /* example_method.c: rigid particle-in-cell (Jiang, Schroeder, Selle, Teran & Stomakhin 2015).
  *
- * Every particle offers its nodes v_p + W_p (x_i - x_p), W the skew part of its velocity gradient:
- * a small rigid body. Back: v_p = sum_i S v_i and W from the same grid velocity. Rotation survives
- * PIC's averaging, every other motion of the grid's scale is damped. Momentum is conserved because
+ * Every particle deposits v_p + W_p (x_i - x_p), W the skew part of its velocity gradient: it acts
+ * as a small rigid body. Back: v_p = sum_i S v_i and W from the same grid velocity. PIC's averaging
+ * keeps rotation and damps every other motion of the size of a cell. Momentum is conserved because
  * sum_i S_ip x_i = x_p. */
 #include "methods/parts/shapes.h"
 #include "methods/parts/transfers.h"

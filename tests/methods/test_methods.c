@@ -114,7 +114,8 @@ static double ringing_left(const char *method, const char *set, double *pic)
     Particles *p = &sim->p;
     for (int k = 0; k < p->n; k++)
         for (int a = 0; a < DIM; a++)
-            p->field[AT_V + a][k] = p->id[k] % 2 ? -1e-6 : 1e-6; /* two particles a cell and axis */
+            p->field[AT_V + a][k] =
+                p->id[k] % 2 ? -1e-6 : 1e-6; /* two particles per cell and axis */
     CU_ASSERT(rig_steps(&r, sim, 0, 3));
     for (int k = 0; k < p->n; k++) {
         bool inside = p->id[k] >= 0; /* at the edges S v is not nothing */

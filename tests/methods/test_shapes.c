@@ -4,8 +4,13 @@
 
 enum { ROUNDS = 200 };
 
-/* Methods whose weights are products of axes. */
-#define FOR_PRODUCTS(m) FOR_METHODS(m) if ((*m)->shape)
+/* Methods whose weights are products of axes, which failures name. */
+static bool has_shape(const Method *m)
+{
+    check_context(DIM, "none", m->info.name, "none", NULL);
+    return m->shape;
+}
+#define FOR_PRODUCTS(m) FOR_METHODS(m) if (has_shape(*m))
 
 /* Sums of a few weights round off by some ulp. Weights are differences over 2b: where a chunk is
  * wide and this particle narrow, that round-off is of order 1e-16/b. */

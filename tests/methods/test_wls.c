@@ -182,8 +182,9 @@ static void surface_errors(int cells, const char *distance, double *error, doubl
     trial_close(&t);
 }
 
-/* PHYSICS 8: by normals within .2 h^2 everywhere, and the area of all cells within 3e-5 at
- * N = 16 and falling with h^2. */
+/* On the ring at t = 0, distance=normals: distances within .2 h at N = 16 and of second order, the
+ * area of all cells within 3e-5 and of second order; curved: distances as good, the area of third.
+ */
 static void test_distances(void)
 {
     double error, area, mean, unused;
@@ -192,7 +193,7 @@ static void test_distances(void)
         CU_ASSERT(error < 0.2 * 16 / cells);
         CU_ASSERT(area < 3e-5 * (16.0 / cells) * (16.0 / cells));
         surface_errors(cells, "curved", &unused, &mean);
-        CU_ASSERT(unused <= error && mean < 3.4e-7 * pow(32.0 / cells, 3)); /* PHYSICS 8b */
+        CU_ASSERT(unused <= error && mean < 3.4e-7 * pow(32.0 / cells, 3));
         surface_errors(cells, "weighted_mean", &mean, &unused);
         CU_ASSERT(mean > 1.5 * error);
         surface_errors(cells, "exact", &error, &unused);

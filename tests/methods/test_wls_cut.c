@@ -12,8 +12,8 @@ static const Case block = {.dim = DIM, .problem = "block", .cells = DIM < 3 ? 16
 static const char *const askew[] = {"dim=1;offset_x=.3", "dim=2;offset_x=.3;offset_y=.2;angle=20",
                                     "dim=3;offset_x=.3;offset_y=.2;offset_z=.1;angle=20"};
 
-/* v = (1, ..) + B x reaches every node that a particle sees, whatever is corrected; spurious nodes
- * are among them. */
+/* v = (1, ..) + B x is exact at every node within reach of a particle, spurious ones included,
+ * whatever is corrected. */
 static void check_affine(const char *set)
 {
     static const double B[3][3] = {{0.7, -0.4, 0.2}, {0.3, 1.1, -0.5}, {0.6, -0.2, 0.9}};
@@ -62,7 +62,8 @@ static void test_affine(void)
     for (int k = 0; k < COUNT(set); k++) check_affine(set[k]);
 }
 
-/* Forces of all nodes that give them away, before symmetry is folded; the others have none. */
+/* Random forces on the nodes that pass theirs on; none on the others. Symmetry is not folded yet.
+ */
 static void set_spurious_forces(Sim *sim)
 {
     const Grid *g = &sim->g;
@@ -83,7 +84,8 @@ static void set_spurious_forces(Sim *sim)
         }
 }
 
-/* Given away, and taken: by good nodes and, as impulse, by walls. */
+/* Sums of the forces passed on by spurious nodes, received by good nodes, and by walls as impulse.
+ */
 typedef struct Folded {
     Vec given, taken, wall;
     double size;

@@ -122,7 +122,7 @@ typedef struct Case {
     Setup setup;
 } Case;
 
-/* The body of `problem`, four particles a cell expected; sorted. */
+/* The body of `problem` with some four particles per cell; sorted. */
 static Sim *set_up(const Method *method, const Problem *problem, Case *out)
 {
     Fault fault = {0};
@@ -143,6 +143,7 @@ static Sim *set_up(const Method *method, const Problem *problem, Case *out)
                          .ppc = 4,
                          .fitted = true,
                          .threads = 1};
+    check_context(DIM, problem->info.name, method->info.name, NULL, NULL);
     Sim *sim = sim_new(&out->setup, &fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(sim);
     sim_sort(sim);

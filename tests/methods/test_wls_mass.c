@@ -45,7 +45,7 @@ static void test_matrix_symbol(void)
     }
 }
 
-/* Entries 2/3 and 1/6 an axis, rho h^DIM their unit; others are 0. */
+/* Entries 2/3 and 1/6 per axis, rho h^DIM their unit; others are 0. */
 static void test_matrix_entries(void)
 {
     Rig r;

@@ -1,28 +1,20 @@
 /* test_disk_plate.c: the scenes disk_impact and hole_plate: their points, walls and body force as
- * data, walls that hold and walls that let go, and the numbers of PHYSICS 9 and 10. */
+ * data, walls that hold and walls that let go, energy after the impact, strain of the plate. */
 #include <string.h>
 #include "common/run/ledger.h"
 #include "common/contract/layout.h"
 #include "common/run/plan.h"
 #include "common/core/step.h"
 #include "common/base/table.h"
-#include "tests/check.h"
+#include "tests/fixture.h"
 
 extern const Problem problem_disk_impact, problem_hole_plate;
-
-static Scene scene_of(const Problem *problem, const double par[])
-{
-    Scene s = {.problem = problem, .par = par, .cell = 1.0 / 48};
-    char why[128];
-    CU_ASSERT(problem->init(&s, why) == 0);
-    return s;
-}
 
 static const double bilateral[1] = {0}, unilateral[1] = {1};
 
 static void test_disk_points(void)
 {
-    const Scene s = scene_of(&problem_disk_impact, bilateral);
+    const Scene s = rig_bare_scene(&problem_disk_impact, bilateral, 1.0 / 48);
     Layout out = {0};
     double area = 0, moment[DIM] = {0};
     int surface = 0;
@@ -45,7 +37,7 @@ static void test_disk_points(void)
 
 static void test_disk_lattice(void)
 {
-    const Scene s = scene_of(&problem_disk_impact, bilateral);
+    const Scene s = rig_bare_scene(&problem_disk_impact, bilateral, 1.0 / 48);
     Layout out = {0};
     CU_ASSERT_FATAL(layout_make(&out, &s, 1.0 / 96, 0, false, NULL) == 0);
     for (int p = 0; p < out.n; p++) CU_ASSERT(hypot(out.X[0][p] - 0.3, out.X[1][p] - 0.3) <= 0.2);
@@ -57,7 +49,7 @@ static void test_disk_walls(void)
 {
     const double *const par[] = {bilateral, unilateral};
     for (int k = 0; k < 2; k++) {
-        const Scene s = scene_of(&problem_disk_impact, par[k]);
+        const Scene s = rig_bare_scene(&problem_disk_impact, par[k], 1.0 / 48);
         double v[DIM] = {0}, none[NMAT] = {0}, X[DIM] = {0.3, 0.3};
         CU_ASSERT_EQUAL(s.nwall, 2 * DIM);
         for (int w = 0; w < s.nwall; w++) {
@@ -88,7 +80,7 @@ static void check_plate_normal(const Layout *out, int p)
 
 static void test_plate_points(void)
 {
-    const Scene s = scene_of(&problem_hole_plate, NULL);
+    const Scene s = rig_bare_scene(&problem_hole_plate, NULL, 1.0 / 48);
     const double spacing = 1.0 / 64;
     Layout out = {0};
     double area = 0;
@@ -115,7 +107,7 @@ static void test_plate_points(void)
 
 static void test_plate_data(void)
 {
-    const Scene s = scene_of(&problem_hole_plate, NULL);
+    const Scene s = rig_bare_scene(&problem_hole_plate, NULL, 1.0 / 48);
     for (int k = 0; k < 9; k++) {
         const double X[DIM] = {0.125 * k, 0.7};
         Vec b = {1, 1};
@@ -186,6 +178,7 @@ static void test_walls(void)
 {
     for (const Method *const *m = methods; *m; m++) {
         double gained, impulse;
+        check_context(DIM, "block on the floor", (*m)->info.name, NULL, NULL);
         run_block(*m, true, 0.1, 20, &gained, &impulse); /* thrown up: it leaves as it is */
         CHECK_CLOSE(gained, 0, 1e-12);
         CHECK_CLOSE(impulse, 0, 1e-12);
@@ -206,8 +199,8 @@ static Row run_row(const char *problem, const char *method, double t_end, RunSpe
     Fault fault = {0};
     strcpy(spec.problem, problem);
     strcpy(spec.method, method);
-    check_context(DIM, problem, method, NULL, NULL);
     spec.t_end = t_end;
+    check_context_of(DIM, &spec);
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     return row;
 }

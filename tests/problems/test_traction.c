@@ -14,14 +14,6 @@ extern const Problem problem_ring;
 
 static const double loaded[PAR] = {0.1, 0, 0, 0, 0, 1};
 
-static Scene loaded_ring(void)
-{
-    Scene s = {.problem = &problem_ring, .par = loaded, .cell = 1.0 / 32};
-    char why[128];
-    CU_ASSERT_FATAL(problem_ring.init(&s, why) == 0);
-    return s;
-}
-
 static Vec *traction_at(const Scene *s, const Vec X, const Vec N, double t, Vec *out)
 {
     s->problem->traction(s, 1, (const double *[]){&X[0], &X[1]}, (const double *[]){&N[0], &N[1]},
@@ -31,7 +23,7 @@ static Vec *traction_at(const Scene *s, const Vec X, const Vec N, double t, Vec 
 
 static void test_body_force(void)
 {
-    const Scene s = loaded_ring();
+    const Scene s = rig_bare_scene(&problem_ring, loaded, 1.0 / 32);
     for (int k = 0; k < 40; k++) {
         const double R = 0.52 + 0.46 * k / 39, angle = 0.3 + 0.02 * k, t = 0.0007 * k;
         const Vec X = {R * cos(angle), R * sin(angle)};
@@ -46,7 +38,7 @@ static void test_body_force(void)
 /* P N of the exact motion on both circles, outwards; nothing on the symmetry lines. */
 static void test_ring_traction(void)
 {
-    const Scene s = loaded_ring();
+    const Scene s = rig_bare_scene(&problem_ring, loaded, 1.0 / 32);
     double least = INFINITY;
     for (int k = 0; k < 40; k++) {
         const double R = k % 2 ? 1 : 0.5, angle = 0.03 * k, t = 0.0007 * k, side = k % 2 ? 1 : -1;

@@ -1,5 +1,5 @@
 /* test_handover.c: a run that goes on with another method: what the particles keep, for every pair
- * of methods, and what the run books. */
+ * of methods, and what the run records. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

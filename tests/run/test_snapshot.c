@@ -41,7 +41,7 @@ static Cover cover(const char *problem, const char *method, bool elements)
     Fault fault = {0};
     strcpy(spec.problem, problem);
     strcpy(spec.method, method);
-    check_context(DIM, problem, method, NULL, NULL);
+    check_context_of(DIM, &spec);
     CU_ASSERT_FATAL(plan_make(&spec, &plan, &fault) == 0);
     void *self = plan.solver->make(&plan.setup, &fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(self);
@@ -85,6 +85,7 @@ static void test_files(void)
     spec.every = 7;
     mkdir("snap", 0777);
     CU_ASSERT(spec_set(&spec, "steps=20", &fault) == 0);
+    check_context_of(DIM, &spec);
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     /* 0, 7, 14 and the last */
     CU_ASSERT_EQUAL(count_in("snap/particles.pvd", "<DataSet"), 4);
@@ -113,6 +114,7 @@ static void test_projection(void)
     Row row;
     Fault fault = {0};
     mkdir("snap", 0777);
+    check_context_of(DIM, &spec);
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     CU_ASSERT_EQUAL(count_in("snap/particles.pvd", "<DataSet"), 1);
     CU_ASSERT_EQUAL(count_in("snap/nodes.pvd", "<DataSet"), 1);
@@ -121,7 +123,7 @@ static void test_projection(void)
     CU_ASSERT_EQUAL(system("rm -r snap"), 0);
 }
 
-/* Watching a run does not change it. */
+/* Snapshots do not change a run. */
 static void test_same_run(void)
 {
     RunSpec spec = {.problem = "hole_plate", .method = "wls2", .cells = 8, .vtk = "snap"};
@@ -130,6 +132,7 @@ static void test_same_run(void)
     RunSpec bare = spec;
     bare.vtk = NULL;
     mkdir("snap", 0777);
+    check_context_of(DIM, &spec);
     CU_ASSERT_FATAL(run_spec(&bare, &plain, &fault) == 0 && run_spec(&spec, &watched, &fault) == 0);
     CU_ASSERT(plain.energy_drift == watched.energy_drift);
     CU_ASSERT(plain.momentum_drift == watched.momentum_drift);
@@ -141,6 +144,7 @@ static void test_no_folder(void)
     RunSpec spec = {.problem = "disk_impact", .method = "gimp", .cells = 8, .vtk = "absent/folder"};
     Row row;
     Fault fault = {0};
+    check_context_of(DIM, &spec);
     CU_ASSERT_EQUAL(run_spec(&spec, &row, &fault), FAULT_MACHINE);
     CU_ASSERT_PTR_NOT_NULL(strstr(fault.text, "absent/folder"));
 }
@@ -152,6 +156,7 @@ static void test_outputs_first(void)
     RunSpec plain = {.problem = "ring", .method = "wls2", .cells = 1e6};
     Row row;
     Fault fault = {0};
+    check_context_of(DIM, &plain);
     CU_ASSERT_EQUAL(run_spec(&plain, &row, &fault), FAULT_MACHINE);
     CU_ASSERT_PTR_NULL(strstr(fault.text, "absent"));
     for (int k = 0; k < 7; k++) {

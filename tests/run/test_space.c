@@ -14,6 +14,7 @@ static Row run_text(const char *format, const char *method)
     Row row = row_empty();
     snprintf(text, sizeof text, format, method);
     CU_ASSERT_FATAL(run_args_resolve(text, &spec, &engine, &fault) == 0);
+    check_context_of(engine->dim, &spec);
     CU_ASSERT_FATAL(engine->run(&spec, &row, &fault) == 0);
     return row;
 }
@@ -26,9 +27,10 @@ static Row run_whole(const char *format, const char *method)
     return row;
 }
 
-/* Momentum is kept to round-off; by WLS, which alone counts nodes that fall back, but for dt sum_i
- * (M_i - m_i) a_i: M_i and the integrated m_i differ at the nodes of the surface alone, whose share
- * in the mass is of order h. Seen: .044 h on the shell, .09 h of a block of four cells. */
+/* Tolerance of the momentum: round-off; for WLS (the only methods with a number of fallbacks) that
+ * of dt sum_i (M_i - m_i) a_i: M_i and the integrated m_i differ at nodes near the surface only,
+ * whose share of the mass is of order h. Measured: .044 h on the shell, .09 h for a block of four
+ * cells. */
 static double drift_of(const Row *row)
 {
     return row->fallbacks >= 0 ? 0.1 * row->h : 1e-12;
@@ -53,8 +55,9 @@ static void test_ring(void)
     }
 }
 
-/* So it is with WLS, whose trigger is a weight: a layer of particles h/4 off has .6875 of it. (WLS2
- * integrates cubics by another rule, and GE-WLS bulges across its thickness.) */
+/* The same with WLS. Its trigger weight is a product over axes, and along z all particles lie h/4
+ * from their node, where the spline is .6875: .12 in the plane is .12 * .6875 = .0825 here. (WLS2
+ * has another quadrature in 3D, and GE-WLS curves its surface across the thickness.) */
 static void test_wls_ring(void)
 {
     for (int cells = 8; cells <= 10; cells++) {
@@ -96,7 +99,7 @@ static void test_shell(void)
         {"wls", "run shell --cells 16 --method %s", 0.00481, 0.15},
         {"wls2", "run shell --cells 8 --method %s", 0.0114, 0.1},
         {"wls2", "run shell --cells 16 --method %s", 0.00299, 0.1},
-        {"ge_wls", "run shell --cells 8 --method %s", 0.00517, 0.05}, /* seen here */
+        {"ge_wls", "run shell --cells 8 --method %s", 0.00517, 0.05}, /* of this program */
         {"ge_wls", "run shell --cells 16 --method %s", 0.00128, 0.05}};
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         const Row row = run_whole(known[k].text, known[k].method);

@@ -13,7 +13,7 @@ static Row run(const RunSpec *spec)
     return row;
 }
 
-/* What a particle's state says is wrong with it. */
+/* The status that a particle's own state calls for. */
 static StatusCode verdict(const Rig *r, const double *s, int n, int k)
 {
     const Scene *scene = &r->plan.scene;
@@ -83,7 +83,7 @@ static void test_ends(void)
     }
 }
 
-/* One bad particle: everybody near it is NaN a step later, and the lowest id is told. */
+/* One bad particle: all near it are NaN a step later, and the status names the lowest id. */
 static void test_nan(void)
 {
     FOR_METHODS(m)

@@ -78,12 +78,14 @@ look() {
         "$(js 'document.getElementById(\"figures\").offsetTop < document.getElementById(\"claims\").offsetTop')" true
     ok "$name at $width: every sentence has claims or a reason" \
         "$(js 'Array.from(document.querySelectorAll(\"details table.sort tbody tr\")).filter(r => !r.cells[2].textContent.trim()).length')" 0
+    ok "$name at $width: each paper's sentences are counted" \
+        "$(js '(document.body.textContent.match(/[0-9]+ sentences that can be measured, claims test [0-9]+/g) || []).length')" 2
     ok "$name at $width: a column sorts" "$(js '(t => { const h = t.tHead.rows[0].cells[1]; h.click(); const c = Array.from(t.tBodies[0].rows).map(r => r.cells[1].textContent); h.click(); return c.length > 2 && c.every((s, k) => k === 0 || c[k - 1] <= s); })(document.querySelector(\"details table.sort\"))')" true
     ok "$name at $width: ids are unique" \
         "$(js '(l => l.length - new Set(l).size)(Array.from(document.querySelectorAll(\"[id]\")).map(e => e.id))')" 0
     ok "$name at $width: links within the page lead somewhere" \
         "$(js 'Array.from(document.querySelectorAll(\"a[href^=\\\"#\\\"]\")).filter(a => !document.getElementById(a.hash.slice(1)) && !a.closest(\"tr[data-verdict=NOT_RUN]\")).length')" 0
-    ok "$name at $width: stability: a row a method, with marks" \
+    ok "$name at $width: stability: a row per method, with marks" \
         "$(js '(t => t.length > 8 && t.every(r => r.cells.length === 5 && r.querySelectorAll(\"a.m.ok,a.m.weak,a.m.lost\").length > 0 && r.cells[2].textContent))(Array.from(document.querySelectorAll(\"#hard tbody tr\")))')" true
     ok "$name at $width: stability: a method breaks where it is said to" \
         "$(js '(r => r.cells[2].textContent.startsWith(r.querySelector(\"a.m.lost\").textContent.split(\" \")[0]))(Array.from(document.querySelectorAll(\"#hard tbody tr\")).find(r => r.querySelector(\"a.m.lost\")))')" true

@@ -27,14 +27,7 @@ static const char *const keys[] = {
     "station", "norm",    "depth",  "place",    "amplitude", "refresh", "default", "pair",
     "line",    "runs",    "meshes", "mass",     "case",      "grading", "nodes",   "at",
     "periods", "step",    "nu",     "offset_x", "target",    "weight",  "Fyy",     "pixels",
-    "fill",    "trigger", "ratio",  "jitter",   "strain",    NULL};
-
-static bool is_one(const char *name, const char *const list[])
-{
-    for (; *list; list++)
-        if (strcmp(*list, name) == 0) return true;
-    return false;
-}
+    "fill",    "trigger", "ratio",  "jitter",   "strain",    "Z",       NULL};
 
 /* How a number of a table changes: times a factor, times 10 to a power of the file's own and to one
  * of the number's own, both between -scatter and scatter; then more is added. */
@@ -51,7 +44,7 @@ static double scattered(double scatter, int k)
 static bool is_key(const Table *t, const char *name)
 {
     const bool position = strcmp(name, "x") == 0 || strcmp(name, "y") == 0;
-    return is_one(name, keys) && !(position && table_column(t, "X") >= 0);
+    return trial_is_one(name, keys) && !(position && table_column(t, "X") >= 0);
 }
 
 /* Rewrites a table: numbers of all columns but the keys. */
@@ -143,7 +136,7 @@ static void test_ranges(void)
         Check c = {0};
         if ((*s)->check) claims_judge_study(&c, *s, dir, NULL);
         for (int k = 0; k < c.n; k++) {
-            const bool wrong = !can_fail(t.seen[k]) && !is_one(c.list[k].id, formulas);
+            const bool wrong = !can_fail(t.seen[k]) && !trial_is_one(c.list[k].id, formulas);
             if (wrong) printf("%s: no change makes it fail\n", c.list[k].id);
             CU_ASSERT(!wrong);
         }

@@ -122,12 +122,13 @@ void trial_rows(const Study *study, const Cases *cases, const char *dir, int at,
 static void history(FILE *f, const Case *c)
 {
     const int n = is(c, "block") || is(c, "disk_impact") ? 1500 : 300; /* as its page asks for */
-    fputs("t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume\n", f);
+    fputs("t,kinetic,strain,external_work,total,px,py,error_linf,dt,volume,angular_z\n", f);
     for (int k = 0; k <= n; k++) {
         const double t = c->spec.t_end * k / n, half = 0.5 + 0.5 * cos(3.4 * t) * cos(3.4 * t);
         const double work = is(c, "scan") ? 1e-6 * k : 0;
-        fprintf(f, "%.10g,%.8g,%.8g,%.8g,%.8g,1,%.8g,%.8g,%.10g,1\n", t, half, 1 - half + 1e-6 * k,
-                work, 1 + 1e-6 * k, half, 1e-6 * k, c->spec.t_end / n);
+        fprintf(f, "%.10g,%.8g,%.8g,%.8g,%.8g,1,%.8g,%.8g,%.10g,1,%.8g\n", t, half,
+                1 - half + 1e-6 * k, work, 1 + 1e-6 * k, half, 1e-6 * k, c->spec.t_end / n,
+                1 - 1e-5 * k);
     }
 }
 
@@ -170,6 +171,25 @@ static void points(FILE *f, const Case *c)
     for (; reference && n < 2 * quads; n++) point(f, c, 0.7, 0.7);
 }
 
+/* In space: points of the section z = 0 of a shell; of a cube, in fives, on a small part of its
+ * cavity. F = 1 and a little, so that directions are those of the reference. */
+static void space_points(FILE *f, const Case *c)
+{
+    fputs("X,Y,Z,x,y,z,Fxx,Fxy,Fxz,Fyx,Fyy,Fyz,Fzx,Fzy,Fzz,sxx,sxy,sxz,syy,syz,szz,surface,mass\n",
+          f);
+    for (int k = 0; k < 250; k++) {
+        const bool shell = is(c, "shell");
+        const double a = shell ? M_PI / 2 * spread(k) : 0.7 + 0.05 * spread(k / 5);
+        const double b = shell ? 0 : 0.7 + 0.05 * spread(k / 5 + 7);
+        const double R = shell ? 0.5 + 0.5 * spread(k + 3) : 0.5 + 0.01 * spread(k / 5 + 3);
+        const double X[3] = {R * cos(a), R * sin(a) * cos(b), R * sin(a) * sin(b)};
+        for (int move = 0; move < 2; move++)
+            for (int d = 0; d < 3; d++) fprintf(f, "%.8g,", X[d] * (1 + 0.1 * move));
+        fprintf(f, "1.1,0,0,0,%g,0,0,0,1.1,%.8g,0,0,%.8g,0,%.8g,0,1\n", 1 + 0.1 * spread(k),
+                5e8 + k, 4e8 - k, 3e8 + c->spec.cells);
+    }
+}
+
 static void errors(FILE *f, const Case *c)
 {
     const double h = 1 / c->spec.cells, apart = is_fem(c) ? h : h / 2, shift = is_fem(c) ? 0 : 0.5;
@@ -182,15 +202,17 @@ static void errors(FILE *f, const Case *c)
 
 static void nodes(FILE *f, const Case *c)
 {
-    const bool squeeze = is(c, "squeeze"), bar = c->engine->dim == 1;
+    const bool squeeze = is(c, "squeeze");
+    const int dim = c->engine->dim;
     const double middle = setting(c, "box", 3) / 2, n = c->spec.cells;
     const int from = squeeze ? 0 : (int)(n * (middle - 0.2)),
               to = squeeze ? (int)n : from + (int)(0.4 * n);
-    fputs("id,x,y,mass,vx,vy\n", f);
-    for (int j = from; j <= (bar ? from : to); j++)
-        for (int i = from; i <= to; i++)
-            fprintf(f, "%d,%.10g,%.10g,%g,%.10g,0\n", i, i / n, bar ? 0 : j / n,
-                    (1 + 1e-3 * spread(i)) / n, 1 + i / n + 1e-3 * spread(i + j));
+    fputs("id,x,y,mass,vx,vy,z,vz\n", f);
+    for (int k = from; k <= (dim < 3 ? from : to); k++)
+        for (int j = from; j <= (dim < 2 ? from : to); j++)
+            for (int i = from; i <= to; i++)
+                fprintf(f, "%d,%.10g,%.10g,%g,%.10g,0,%.10g,0\n", i, i / n, dim < 2 ? 0 : j / n,
+                        (1 + 1e-3 * spread(i)) / n, 1 + i / n + 1e-3 * spread(i + j), k / n);
 }
 
 static void patches(FILE *f, const Case *c)
@@ -211,7 +233,8 @@ void trial_files(const Cases *cases)
         FILE *f = fopen(c->file, "w");
         CU_ASSERT_PTR_NOT_NULL_FATAL(f);
         if (c->spec.history) history(f, c);
-        if (c->spec.particles || c->spec.samples) points(f, c);
+        const bool in_space = c->engine->dim == 3;
+        if (c->spec.particles || c->spec.samples) (in_space ? space_points : points)(f, c);
         if (c->spec.errors) errors(f, c);
         if (c->spec.nodes) nodes(f, c);
         if (c->spec.patches) patches(f, c);
@@ -255,4 +278,13 @@ void trial_empty(const char *dir)
 void trial_clear(const char *dir)
 {
     each_file(dir, remove_file);
+}
+
+bool trial_is_one(const char *name, const char *const list[])
+{
+    for (; *list; list++) {
+        const size_t n = strlen(*list);
+        if (strncmp(name, *list, n) == 0 && ((*list)[n - 1] == '.' || !name[n])) return true;
+    }
+    return false;
 }

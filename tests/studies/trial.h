@@ -8,9 +8,9 @@
 
 enum { TRIAL_PATH = 512 };
 
-/* What is wrong with one row (or with all): nothing; the run was lost, its numbers empty; its
- * numbers a thousand times as large or as small; it is not there; each row's numbers times a factor
- * of its own, 1e-3 to 1e3, or by it. */
+/* What is wrong with one row, or with all: nothing; the run was lost and its numbers are empty; its
+ * numbers are a thousand times as large, or as small; it is absent; the numbers of each row are
+ * multiplied by a factor of its own, 1e-3 to 1e3, or divided by it. */
 typedef enum { SOUND, LOST_RUN, LARGER, SMALLER, ABSENT, UNEVEN, UNEVEN_TOO } Spoiled;
 
 /* Writes dir/NAME.csv; row `at` is spoiled, all are if at is -1. */
@@ -21,6 +21,10 @@ void trial_files(const Cases *cases);
 
 /* Leaves the header of every .csv in dir alone. */
 void trial_empty(const char *dir);
+
+/* Is the name in a list, which ends with NULL? What ends in a point there stands for all names that
+ * begin so. */
+bool trial_is_one(const char *name, const char *const list[]);
 
 /* Deletes what is in dir. */
 void trial_clear(const char *dir);

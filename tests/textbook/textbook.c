@@ -69,8 +69,8 @@ static void piola(const double F[DIM][DIM], double sigma[DIM][DIM])
     memcpy(sigma, P, sizeof P);
 }
 
-/* What a particle offers beside its velocity [1/s]: L, or moments over their spread (Jiang et al.
- * 2015). */
+/* Slopes of the velocity that a particle deposits [1/s]: L, or moments over their spread (Jiang et
+ * al. 2015). */
 static void slopes(const Twin *w, const TwinParticle *p, const Sight s[3], double A[DIM][DIM])
 {
     memcpy(A, p->L, sizeof p->L);

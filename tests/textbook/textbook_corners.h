@@ -46,7 +46,7 @@ static inline double function_of(int c, const double s[DIM], double slope[DIM])
     return N;
 }
 
-/* Means over any domain of the corners y: the integrals by three Gauss points an axis. */
+/* Means over any domain of the corners y: the integrals by three Gauss points per axis. */
 static inline void integrate(Corners *q, double cells)
 {
     static const double at[3] = {-0.77459666924148337704, 0, 0.77459666924148337704};

@@ -209,7 +209,7 @@ static inline double spread(const Twin *w, const TwinParticle *p, const Sight s[
     return D;
 }
 
-/* Node i of what a particle sees; NULL beyond the grid. */
+/* Node i of a particle's nodes; NULL beyond the grid. */
 static inline TwinNode *node_at(const Twin *w, const Sight s[3], const int i[3])
 {
     long at = 0;
@@ -265,7 +265,7 @@ static inline void add_corners(const Corners *q, const double x[DIM], double h, 
     }
 }
 
-/* Node i of what a particle sees: its weight, gradient, position; NULL beyond the grid. */
+/* Node i of a particle's nodes, with its weight, gradient and position; NULL beyond the grid. */
 static inline TwinNode *node_of(const Twin *w, const Sight s[3], const int i[3], double *S,
                                 double G[DIM], double x[DIM])
 {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # bare.sh RELEASE [ARCH [COMPILER]]: README's two commands on a machine that has nothing: debootstrap's smallest
 # Debian (bookworm, trixie, sid) with gcc, make and git, for amd64 or arm64 (by qemu-user-static), gcc or clang, and
-# in it a clone of the commit checked out here. Prints a row of README's table; the logs stay. Status 1 if anything
+# in it a clone of the commit checked out here. Prints a row of tests/README.md's table; the logs stay. Status 1 if anything
 # failed. On a foreign architecture, which is slow, it builds, runs one unit test (fem) and compares rows of the ring
 # and the bar with this machine's.
 #   BARE    folder for roots and logs (build/bare)       MIRROR  Debian archive (that of this machine's apt)

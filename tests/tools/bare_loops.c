@@ -1,7 +1,7 @@
 /* bare_loops.c: what a user would write instead of using a testbed: two plain loops in 2D, arrays
  * of structs, one thread, no output, no ledger, no checks. `make bench` times them beside the core.
  *
- * Both: neo-Hookean block [1/4, 5/4]^2 in a box of 3/2, four particles a cell, tau = mu (b - I) +
+ * Both: neo-Hookean block [1/4, 5/4]^2 in a box of 3/2, four particles per cell, tau = mu (b - I) +
  * lambda ln J I, spinning at w with free edges; symplectic steps dt, a step being: clear the grid,
  * particles to grid, v = p/m + dt f/m, grid to particles. */
 #define _GNU_SOURCE
@@ -20,7 +20,7 @@ typedef struct Node {
 } Node;
 
 typedef struct Loop {
-    int cells, wide, n; /* per metre, nodes an axis, particles */
+    int cells, wide, n; /* per metre, nodes per axis, particles */
     double h, dt, mass, volume, mu, lambda;
     Particle *p;
     Node *node;

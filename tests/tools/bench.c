@@ -1,5 +1,5 @@
 /* bench.c: what `make bench` measures besides the program itself: the machine's bounds, the
- * textbook code and two bare loops. Prints one number a line, "name value":
+ * textbook code and two bare loops. Prints one number per line, "name value":
  *
  *   bench machine                 fma_gflops, copy_gbs: multiply-adds, and reads + writes in place
  *   bench twin CELLS STEPS        twin_ns: ns per particle-step of GIMP on free_block

@@ -134,7 +134,7 @@ mv "$work/t_03_growth.csv" "$OUT/t_03_growth.csv" || exit 1
 command -v gnuplot >/dev/null || { echo "SKIPPED gnuplot: no figure T-3" >&2; exit 0; }
 for name in t_03_speed t_03_growth; do
     for fmt in svg png; do
-        gnuplot -e "fmt='$fmt'; out='$work/figure'; dir='$OUT'; name='$name'; csv='$OUT/$name.csv'; plots='plots'
+        gnuplot -e "fmt='$fmt'; out='$work/figure'; dir='$OUT'; name='$name'; csv='$OUT/$name.csv'; plots='plots';
             bytes=$(value copy_gbs); flops=$(value fma_gflops)" \
             plots/own/$name.gp && [ -s "$work/figure" ] && mv "$work/figure" "$OUT/$name.$fmt" || exit 1
     done

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# problem_pictures.sh PROGRAM FOLDER: draws plots/readme_problems.png, one small picture a problem, as README shows them: particles at a
+# problem_pictures.sh PROGRAM FOLDER: draws plots/readme_problems.png, one small picture per problem, as README shows them: particles at a
 # telling time, coloured by von Mises stress (of a projection: by velocity); in 1D the velocity along the bar. In 3D
 # what is seen from above z. A line below gives the run of each.
 set -eu

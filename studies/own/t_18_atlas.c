@@ -1,0 +1,284 @@
+/* t_18_atlas.c: which findings of the hard cases in the plane hold in three dimensions? H-1, H-2,
+ * H-5, H-8, H-12 and H-14 on coarse meshes; what is measured: the pages hard/h_*.c.
+ *
+ *   H-1   one step of a stretched block in uniform motion: nodal forces four cells and more inside
+ *   H-2   particle velocities that alternate: their amplitude after 300 steps
+ *   H-5   a corner that reaches .01 h into empty cells: the largest stable step of a few
+ *   H-8   one turn, imposed (growth of J over exp(2 pi w dt)) or free (loss of angular momentum)
+ *   H-12  a block drifts from node to node with its particles on nodes
+ *   H-14  a block falls freely */
+#include <math.h>
+#include "studies/tables/curves.h"
+#include "studies/tables/grades.h"
+
+enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5, RUNGS = 6 };
+#define STRETCH 1.0717
+#define DRIFT   0.1
+#define FASTEST 116.02387 /* P waves [m/s] */
+#define EPS     0.01      /* H-5, in h */
+#define OFF     "--set offset_x=.13 --set offset_y=.42 --set offset_z=.77"
+static const char uniform[] = "mpm gimp ge_gimp bspline wls2 ge_wls";
+static const char ripple[] = "mpm gimp ge_gimp bspline apic tpic wls wls2 ge_wls";
+static const char spun[] = "mpm gimp ge_gimp apic tpic wls2", freely[] = "gimp ge_gimp apic";
+static const char *const integrators[INTEGRATORS] = {"cd", "uvf", "musl", "usl", "usf"};
+static const double rungs[RUNGS] = {0.4, 0.5, 0.6, 0.7, 0.8, 0.95}; /* H-5 */
+
+/* A block whose particles or boxes reach EPS beyond a node; steps in units of scale h/c. */
+static const struct {
+    const char *method;
+    double beyond, scale;
+} corners[] = {{"mpm", 0, 0.141421}, {"gimp", 0.25, 1}, {"ge_wls", 0.5, 1}};
+
+static const char *part(const char *what, const char *method)
+{
+    return phrase("%s.%s", what, method);
+}
+
+static void add_nodes(Cases *list, bool quick)
+{
+    char m[WORD_TEXT];
+    for (int turned = 0; turned < 2; turned++)
+        for (const char *rest = uniform; select_word(&rest, m);)
+            case_add_with(list, "nodes", part(turned ? "turned" : "stretch", m),
+                          "run block --method %s --cells %d --integrator usl --set dim=3 --set "
+                          "steps=1 --set allow_unstable=1 --set stretch=%g --set angle=%d --set "
+                          "drift_x=%g " OFF,
+                          m, INSIDE, STRETCH, turned * 30, DRIFT);
+    for (const char *rest = ripple; select_word(&rest, m);)
+        case_add_with(list, "history", part("ripple", m),
+                      "run block --method %s --cells %d --set dim=3 --set ripple=1e-4 " OFF
+                      " --t-end %.17g",
+                      m, CELLS, (quick ? 10 : STEPS) * BLOCK_CFL / (CELLS * BLOCK_SPEED));
+}
+
+static void cases(Cases *list, bool quick)
+{
+    char m[WORD_TEXT];
+    add_nodes(list, quick);
+    for (int k = 0; k < 3; k++)
+        for (int n = 0; n < RUNGS; n++)
+            case_add(
+                list,
+                "run block --method %s --integrator cd --cells %d --cfl %.6g --t-end .1 --set "
+                "dim=3 "
+                "--set offset_x=%g --set offset_y=%g --set offset_z=%g --set stop_growth=1 --set "
+                "stretch=1.00000003 --set drift_x=1.6e-7",
+                corners[k].method, CORNER, rungs[n] * corners[k].scale * BLOCK_SPEED / FASTEST,
+                EPS + 0.25 - corners[k].beyond, EPS + 0.25 - corners[k].beyond,
+                EPS + 0.25 - corners[k].beyond);
+    for (const char *rest = spun; select_word(&rest, m);)
+        case_add_with(list, "particles", part("spin", m),
+                      "run block --method %s --cells %d --t-end %.17g --set dim=3 --set box=4 "
+                      "--set spin=1",
+                      m, CELLS, 2 * M_PI / BLOCK_SPEED);
+    for (const char *rest = freely; select_word(&rest, m);)
+        case_add_with(list, "history", part("free", m),
+                      "run free_block --method %s --cells %d --t-end %.17g --set dim=3 --set box=2 "
+                      "--set swing=0 --set drift=0",
+                      m, CELLS, 2 * M_PI * 0.7071 / (0.2 * 131.559));
+    for (int ge = 0; ge < 2; ge++)
+        for (int k = 0; k < INTEGRATORS; k++)
+            case_add(list,
+                     "run block --method %s --integrator %s --set allow_unstable=1 --set dim=3 "
+                     "--cells %d --set steps=20 --set drift_x=0.8333333333333334 --set "
+                     "offset_x=0.25 --set offset_y=0.25 --set offset_z=0.25",
+                     ge ? "ge_mpm" : "mpm", integrators[k], CELLS);
+    for (const Info *const *i = engine_3d.methods; *i; i++)
+        for (int k = 0; k < (engine_has_grid(&engine_3d, (*i)->name) ? INTEGRATORS : 1); k++)
+            case_add(list,
+                     "run block --method %s --integrator %s --cells %d --set dim=3 --set "
+                     "gravity=1000 " OFF " --set refresh=%d --set allow_unstable=1 --set steps=20",
+                     (*i)->name, integrators[k], CORNER, engine_has_grid(&engine_3d, (*i)->name));
+}
+
+/* H-1: the largest force inside over |sigma| and the area of a cell's face. */
+static double force(const Table *t, int turned)
+{
+    const double E = 1e4, nu = 0.3, mu = E / (2 + 2 * nu), h = 1.0 / INSIDE;
+    const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), l = lambda * log(STRETCH);
+    const double along = mu * (STRETCH * STRETCH - 1) + l;
+    const double unit = sqrt(along * along + 2 * l * l) / STRETCH * h * h;
+    const double dt = BLOCK_CFL * h / BLOCK_SPEED, a = turned * M_PI / 6;
+    double most = t->nrow ? 0 : NAN;
+    for (int i = 0; i < t->nrow; i++) {
+        const double x = select_number(t, i, "x") - 1.5 - 0.13 * h;
+        const double y = select_number(t, i, "y") - 1.5 - 0.42 * h;
+        const double z = select_number(t, i, "z") - 1.5 - 0.77 * h;
+        const double own[] = {(cos(a) * x + sin(a) * y) / STRETCH, cos(a) * y - sin(a) * x, z};
+        const double v[] = {select_number(t, i, "vx") - DRIFT * BLOCK_SPEED,
+                            select_number(t, i, "vy"), select_number(t, i, "vz")};
+        if (fmax(fmax(fabs(own[0]), fabs(own[1])), fabs(own[2])) >= 0.5 - 4 * h) continue;
+        for (int d = 0; d < 3; d++)
+            most = measure_worse(most, fabs(v[d]) * select_number(t, i, "mass") / (dt * unit));
+    }
+    return most;
+}
+
+/* H-8: mean J about z, F_zz included, over exp(2 pi w dt). */
+static double growth(const Table *t)
+{
+    double mass = 0, sum = 0;
+    for (int k = 0; k < t->nrow; k++) {
+        const double m = select_number(t, k, "mass");
+        if (!(m > 0)) continue;
+        mass += m;
+        sum += m * select_number(t, k, "Fzz") *
+               (select_number(t, k, "Fxx") * select_number(t, k, "Fyy") -
+                select_number(t, k, "Fxy") * select_number(t, k, "Fyx"));
+    }
+    return sum / mass / exp(2 * M_PI * BLOCK_CFL / CELLS);
+}
+
+/* A column at the end over its start; NAN of an empty history. */
+static double left(const Table *t, const char *column)
+{
+    return t->nrow ? select_number(t, t->nrow - 1, column) / select_number(t, 0, column) : NAN;
+}
+
+static void tables(const Results *r)
+{
+    FILE *f = results_write(r, "found", "what,method,value,status");
+    static const char *const what[] = {"stretch", "turned", "ripple", "spin", "free"};
+    const char *const methods[] = {uniform, uniform, ripple, spun, freely};
+    for (int k = 0; k < 5; k++) {
+        char m[WORD_TEXT];
+        for (const char *rest = methods[k]; select_word(&rest, m);) {
+            const Table *t = results_run(r, "%s", part(what[k], m));
+            const double x = k < 2    ? force(t, k)
+                             : k == 2 ? sqrt(left(t, "kinetic"))
+                             : k == 3 ? growth(t)
+                                      : 1 - left(t, "angular_z");
+            if (t->nrow)
+                fprintf(f, "%s,%s,%.10g,%s\n", what[k], m, x, results_status(r, part(what[k], m)));
+        }
+    }
+}
+
+static Measure extreme(const Table *t, const char *what, const char *methods, bool most)
+{
+    Measure out = most ? measure_max_of(0) : measure_min_of(0);
+    char m[WORD_TEXT];
+    while (select_word(&methods, m)) {
+        const Measure x = select_value(t, "value", "what=%s method=%s", what, m);
+        out = most ? measure_max(out, x) : measure_min(out, x);
+    }
+    return out;
+}
+
+/* H-5: the largest of the rungs, over all of them, that is stable, with all below it. */
+static Measure stable(const Table *t, int corner)
+{
+    Measure rows = measure_sum_of(RUNGS);
+    double last = 0;
+    for (int n = 0; n < RUNGS; n++) {
+        const double cfl = rungs[n] * corners[corner].scale * BLOCK_SPEED / FASTEST;
+        const int row = select_next(t, -1, "stretch=1.00000003 method=%s cfl=%.6g",
+                                    corners[corner].method, cfl);
+        if (row < 0) continue;
+        measure_add(&rows, 1);
+        const bool below = n == 0 || last >= rungs[n - 1];
+        if (below && select_is(t, row, "status", "ok")) last = rungs[n];
+    }
+    return measure_with(rows, last);
+}
+
+/* H-14, H-12: largest error of the integrators from .. to - 1. */
+static Measure error(const Table *t, const char *where, int from, int to, int needs)
+{
+    Measure most = measure_max_of(needs);
+    for (int k = from; k < to; k++)
+        for (int row = -1;
+             (row = select_next(t, row, "%s integrator=%s", where, integrators[k])) >= 0;)
+            measure_add_max(&most, select_kept(t, row, "error_linf"));
+    return most;
+}
+
+static void check_forces(Check *c, const Table *t)
+{
+    claim(c, "T-18e.h1-tent",
+          "Stretched block in 3D, MPM: force inside a uniformly stressed moving body over |sigma| "
+          "A, largest",
+          extreme(t, "stretch", "mpm", true), 0.1, 1);
+    claim(c, "T-18e.h1-gimp",
+          "Stretched block in 3D, GIMP, GE-GIMP: no force inside while boxes tile space: largest "
+          "over |sigma| A",
+          extreme(t, "stretch", "gimp ge_gimp", true), 0, 1e-10);
+    claim(c, "T-18e.h1-turned",
+          "Block turned by 30 degrees in 3D, GIMP: boxes do not tile space: largest force over "
+          "|sigma| A",
+          extreme(t, "turned", "gimp", true), 1e-3, 1);
+    claim(c, "T-18e.h1-wls",
+          "Block in 3D, turned or not, WLS2, GE-WLS: no force inside: largest over |sigma| A",
+          measure_max(extreme(t, "stretch", "wls2 ge_wls", true),
+                      extreme(t, "turned", "wls2 ge_wls", true)),
+          0, 1e-10);
+    claim(c, "T-18e.h2-flip",
+          "Alternating velocities in 3D: MPM, GIMP, GE-GIMP, B-splines keep them: least amplitude "
+          "left after 300 steps",
+          extreme(t, "ripple", "mpm gimp ge_gimp bspline", false), 0.9, 1.1);
+    claim(c, "T-18e.h2-damp",
+          "Alternating velocities in 3D: APIC, TPIC damp them: most amplitude left after 300 steps",
+          extreme(t, "ripple", "apic tpic", true), 0, 0.1);
+    claim(c, "T-18e.h2-wls",
+          "Alternating velocities in 3D: WLS, WLS2, GE-WLS keep them for 300 steps: most amplitude "
+          "left",
+          extreme(t, "ripple", "wls wls2 ge_wls", true), 0.9, 1.1);
+    claim(c, "T-18e.h8-growth",
+          "Imposed turn in 3D: J grows by exp(2 pi w dt) with GE-GIMP, APIC, TPIC, WLS2: largest "
+          "ratio",
+          extreme(t, "spin", "ge_gimp apic tpic wls2", true), 0.99, 1.01);
+    claim(c, "T-18e.h8-gimp",
+          "Imposed turn in 3D: GIMP underestimates the rotation at edges: J over exp(2 pi w dt), "
+          "8 cells",
+          extreme(t, "spin", "gimp", true), 0.9, 0.96);
+    claim(c, "T-18e.h8-free",
+          "Free turn in 3D: angular momentum that GE-GIMP loses over GIMP's loss, 8 cells",
+          measure_ratio(extreme(t, "free", "ge_gimp", true), extreme(t, "free", "gimp", true)), 0,
+          0.1);
+}
+
+static void check(Check *c, const Results *r)
+{
+    const Table *t = r->rows;
+    const double dt = select_value(t, "dt", "gravity=1000 method=mpm").value;
+    int methods = 0;
+    for (const Info *const *i = engine_3d.methods; *i; i++)
+        methods += !(*i)->on_request && engine_has_grid(&engine_3d, (*i)->name);
+    check_forces(c, results_part(r, "found"));
+    claim_differs(
+        c, "T-18e.h5-tent",
+        "Corner .01 h inside a cell in 3D, MPM: the critical step is sqrt(2 eps/h) h/c, "
+        "as in the plane: largest stable step of six, over that",
+        stable(t, 0), 0.9, 1, 0.8, 0.8,
+        "stable at .8 of it, not at .95 (cd, eps = .01 h); the reason was not looked for");
+    claim(c, "T-18e.h5-gimp",
+          "Corner .01 h inside a cell in 3D, GIMP: largest stable step of six [h/c]", stable(t, 1),
+          0.5, 0.5);
+    claim(c, "T-18e.h5-ge_wls",
+          "Corner .01 h inside a cell in 3D, GE-WLS: largest stable step of six [h/c]",
+          stable(t, 2), 0.5, 0.5);
+    claim(c, "T-18e.h12",
+          "MPM, GE-MPM, every integrator in 3D: a block drifts from node to node: largest error "
+          "of displacement [m]",
+          error(t, "drift_x=0.8333333333333334", 0, INTEGRATORS, 2 * INTEGRATORS), 0, 1e-12);
+    claim(c, "T-18e.h14-half",
+          "Free fall in 3D: x - g t^2/2 vanishes with a half first step (cd, uvf, musl), every "
+          "method and FEM: largest [m]",
+          error(t, "gravity=1000", 0, 3, 3 * methods + 1), 0, 1e-12);
+    claim(c, "T-18e.h14-whole",
+          "Free fall in 3D with a whole first step (usl, usf) is g t dt/2 too far: largest error "
+          "over that",
+          measure_times(error(t, "gravity=1000", 3, INTEGRATORS, 2 * methods),
+                        1 / (1000 * 20 * dt * dt / 2)),
+          0.99, 1.01);
+}
+
+const Study study_t_18_atlas = {
+    .name = "t_18_atlas",
+    .figure = "T-18e",
+    .about = "hard cases H-1, H-2, H-5, H-8, H-12 and H-14 in three dimensions",
+    .cases = cases,
+    .tables = tables,
+    .check = check,
+    .claims = 16,
+};
