@@ -104,7 +104,7 @@ UNIT_TESTS  = $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD
               $(BUILD)/tests/wls $(BUILD)/tests/scenes
 FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/fuzz/%.o,fuzz_run fuzz_sweep fuzz_files fuzz_tools)
 CORE_DIMS   = 1 2 3
-TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_filter textbook_make)
+TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_cells textbook_filter textbook_make)
 # $(call tests_of,PROGRAM): its files in tests/tests.def. Every test file must have a line there.
 tests_of = $(or $(shell sed -nE 's/^([a-z_0-9\/]+):(.*) $(1)( .*)?$$/\1/p' tests/tests.def),$(error tests/tests.def: no test of $(1)))
 UNLISTED = $(filter-out $(shell sed -nE 's/^([a-z_0-9\/]+):.*/tests\/\1.c/p' tests/tests.def),$(wildcard tests/*/test_*.c))

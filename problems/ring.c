@@ -1,8 +1,8 @@
 /* ring.c: oscillating ring, a manufactured solution at large strain (W11 5.1, eqs 36, 37;
  * radial.h). In 3D the same ring, two cells thick between symmetry planes. */
 #include <stdio.h>
-#include "common/contract/layout.h"
 enum { RADIAL_AXES = 2, LAST = DIM - 1 }; /* in 3D: the axis of the ring */
+#include "circles.h"
 #include "radial.h"
 
 enum { AMPLITUDE, SECTOR, OFFSET_X, OFFSET_Y, ANGLE, TRACTION };
@@ -48,59 +48,6 @@ static int init(Scene *s, char why[128])
     return 0;
 }
 
-/* Points at mid angles on the circle of radius R, spacing s or less; dr = 0: on the surface. In 3D
- * of each of the `layers` along the axis. */
-static void add_circle(const Scene *scene, double R, double dr, double spacing, int layers,
-                       Layout *out)
-{
-    const Body *b = &scene->body;
-    const int quarters = scene->par[SECTOR] > 0 ? 4 : 1;
-    const int n = quarters * (int)ceil(M_PI / 2 * R / spacing - 1e-9);
-    const double arc = quarters * M_PI / 2 / n;
-    const double outwards = R < 0.5 * (radial_inner + radial_outer) ? -1 : 1;
-    const double thickness = DIM > 2 ? scene->body_hi[LAST] / layers : 1;
-    for (int q = 0; q < n * layers; q++) {
-        const double angle = b->angle_lo + (q % n + 0.5) * arc;
-        const Vec e = {cos(angle), sin(angle)};
-        Vec X = {0}, normal = {0};
-        for (int d = 0; d < RADIAL_AXES; d++) {
-            X[d] = b->centre[d] + R * e[d];
-            normal[d] = outwards * e[d];
-        }
-        if (DIM > 2) X[LAST] = (q / n + 0.5) * thickness;
-        layout_add(out, X, R * arc * dr * thickness, dr > 0 ? NULL : normal);
-    }
-}
-
-/* Rings at mid radii, and surface particles on both circles. */
-static bool place(const Scene *s, double spacing, bool fitted, Layout *out)
-{
-    if (!fitted) return false;
-    const int rings = (int)ceil((radial_outer - radial_inner) / spacing - 1e-9);
-    const int layers = DIM > 2 ? (int)ceil(s->body_hi[LAST] / spacing - 1e-9) : 1;
-    const double dr = (radial_outer - radial_inner) / rings;
-    const double apart = layout_surface_spacing(out, spacing);
-    for (int k = 0; k < rings; k++)
-        add_circle(s, radial_inner + (k + 0.5) * dr, dr, spacing, layers, out);
-    add_circle(s, radial_inner, 0, apart, layers, out);
-    add_circle(s, radial_outer, 0, apart, layers, out);
-    return true;
-}
-
-/* Both circles, equal shares of their areas. */
-static void surface(const Scene *s, double spacing, Layout *out)
-{
-    const int layers = DIM > 2 ? (int)ceil(s->body_hi[LAST] / spacing - 1e-9) : 1;
-    const double height = DIM > 2 ? s->body_hi[LAST] : 1;
-    for (int side = 0; side < 2; side++) {
-        const double R = side ? radial_outer : radial_inner;
-        const double area = R * (s->body.angle_hi - s->body.angle_lo) * height;
-        const int first = out->n;
-        add_circle(s, R, 0, spacing, layers, out);
-        for (int p = first; p < out->n; p++) out->volume[p] = area / (out->n - first);
-    }
-}
-
 const Problem problem_ring = {
     .info = {.name = "ring",
              .label = "Oscillating ring",
@@ -114,11 +61,11 @@ const Problem problem_ring = {
     .cfl = 0.3,
     .init = init,
     .inside = radial_inside,
-    .place = place,
+    .place = circles_place,
     .start = radial_start,
     .exact = radial_exact,
     .distance = radial_distance,
     .body = radial_body,
-    .surface = surface,
+    .surface = circles_surface,
     .traction = radial_traction,
 };

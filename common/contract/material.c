@@ -141,6 +141,57 @@ void material_stored_energy(const Material *m, int n, const double *const F[NMAT
         energy_loop(energy_neo_hookean, m, n, F, psi);
 }
 
+/* Eigenvalues and the vectors to them, the columns of `axes`, of a symmetric A: Jacobi's rotations,
+ * one in the plane; in space a round of three leaves the cube of what is off the diagonal. */
+static void find_principal(const Mat A, double value[DIM], Mat axes)
+{
+    Mat S;
+    for (int k = 0; k < NMAT; k++) S[k] = A[k], axes[k] = k % (DIM + 1) == 0;
+    for (int round = 0; round < (DIM > 2 ? 8 : 1); round++)
+        for (int a = 0; a < DIM; a++)
+            for (int b = a + 1; b < DIM; b++) {
+                const double turn =
+                    0.5 * atan2(2 * S[a * DIM + b], S[a * (DIM + 1)] - S[b * (DIM + 1)]);
+                const double c = cos(turn), s = sin(turn);
+                for (int k = 0; k < DIM; k++) { /* S R, axes R */
+                    const double x = S[k * DIM + a], y = S[k * DIM + b];
+                    const double u = axes[k * DIM + a], v = axes[k * DIM + b];
+                    S[k * DIM + a] = c * x + s * y, S[k * DIM + b] = c * y - s * x;
+                    axes[k * DIM + a] = c * u + s * v, axes[k * DIM + b] = c * v - s * u;
+                }
+                for (int k = 0; k < DIM; k++) { /* R^T S */
+                    const double x = S[a * DIM + k], y = S[b * DIM + k];
+                    S[a * DIM + k] = c * x + s * y, S[b * DIM + k] = c * y - s * x;
+                }
+            }
+    for (int d = 0; d < DIM; d++) value[d] = S[d * (DIM + 1)];
+}
+
+double material_largest_stress(const Mat T)
+{
+    double value[DIM], most;
+    Mat axes;
+    find_principal(T, value, axes);
+    most = value[0];
+    for (int d = 1; d < DIM; d++) most = value[d] > most ? value[d] : most;
+    return most;
+}
+
+double material_without_tension(const Material *m, const Mat F, Mat T)
+{
+    double square[DIM], ln_J = 0, trace = 0;
+    Mat left, axes;
+    for (int k = 0; k < NMAT; k++) left[k] = left_cauchy(F, k / DIM, k % DIM), T[k] = 0;
+    find_principal(left, square, axes);
+    for (int d = 0; d < DIM; d++)
+        if (square[d] < 1) ln_J += 0.5 * log(square[d]), trace += square[d] - 1;
+    for (int d = 0; d < DIM; d++)
+        for (int k = 0; square[d] < 1 && k < NMAT; k++)
+            T[k] += (m->lambda * ln_J + m->mu * (square[d] - 1)) * axes[k / DIM * DIM + d] *
+                    axes[k % DIM * DIM + d];
+    return 0.5 * m->lambda * ln_J * ln_J - m->mu * ln_J + 0.5 * m->mu * trace;
+}
+
 double material_out_of_plane_stress(const Material *m, const Mat F)
 {
     double J = determinant(F);

@@ -37,6 +37,13 @@ void material_stored_energy(const Material *m, int n, const double *const F[NMAT
  * in 1D; without meaning in 3D. */
 double material_out_of_plane_stress(const Material *m, const Mat F);
 
+/* Largest principal value of a symmetric tensor. */
+double material_largest_stress(const Mat T);
+
+/* T and psi of neo-Hookean matter that bears no tension: those of F whose principal stretches above
+ * 1 are 1, psi(min(lambda_i, 1)), T = sum_i dpsi/d ln lambda_i n_i n_i <= 0. */
+double material_without_tension(const Material *m, const Mat F, Mat T);
+
 static inline double determinant(const Mat F)
 {
     double det = 0;

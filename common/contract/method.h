@@ -57,6 +57,7 @@ typedef struct Chunk {
     const double *normal[DIM]; /* reference normals of surface points, or NULL */
     const int *id;
     double *const *own;          /* use own_field() */
+    double *strength, *lost;     /* of scenes whose matter breaks, or NULL */
     const struct NodeList *list; /* in `update`: general weights as they were gathered, or NULL */
     size_t first;
 } Chunk;
@@ -183,6 +184,12 @@ typedef struct Method {
      * symmetry has folded the nodes and before v = p/m + dt f/m. */
     void (*assemble)(struct Sim *sim, double t, bool force);
     void (*repair)(struct Sim *sim, double dt);
+
+    /* Optional, for methods whose internal forces are an integral over cells and all else the
+     * deposit above (IMPM). Comes after a deposit to which particles bring no stress, T = 0, and
+     * adds to the lanes from FLUX on, on the real side of symmetry lines only. The integral is one
+     * over the cells as they are now: frame=total is refused. */
+    void (*integrate)(struct Sim *sim);
 
     /* Shows the polygons that the last `assemble` integrated over, for output; or NULL. */
     void (*patches)(const struct Sim *sim, PatchVisit *visit, void *own);

@@ -20,8 +20,9 @@ typedef struct Points {
 
 typedef struct Samples {
     int n;
-    const double *F[NMAT]; /* [-] deformation gradient */
-    const double *V0;      /* [m^DIM] reference volume; 0 in padding */
+    const double *F[NMAT];  /* [-] deformation gradient */
+    const double *V0;       /* [m^DIM] reference volume; 0 in padding */
+    const double *strength; /* [Pa] largest tension, 0: broken; NULL: nothing breaks */
 } Samples;
 
 /* Live grid nodes, for projections and --nodes. */

@@ -102,7 +102,7 @@ void bodies_view(const Bodies *b, Points *points, Samples *samples)
         points->x[d] = field[AT_X + d];
         points->v[d] = field[AT_V + d];
     }
-    *samples = (Samples){.n = n, .V0 = field[AT_VOL]};
+    *samples = (Samples){.n = n, .V0 = field[AT_VOL], .strength = field[AT_STRENGTH]};
     for (int k = 0; k < NMAT; k++) samples->F[k] = field[AT_F + k];
 }
 
@@ -121,7 +121,7 @@ void bodies_counts(const Bodies *b, Counts *counts)
         counts->moved |= sim->moved;
         counts->particle_bytes = fmax(counts->particle_bytes, sim_particle_bytes(sim));
         counts->node_bytes = fmax(counts->node_bytes, sim_node_bytes(sim));
-        if (sim->method.assemble)
+        if (sim->method.assemble || sim->method.integrate)
             counts->fallbacks = (counts->fallbacks > 0 ? counts->fallbacks : 0) + sim->fallbacks;
     }
     if (counts->nodes == 0) counts->nodes = -1;

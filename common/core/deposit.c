@@ -18,11 +18,6 @@ static void clear_row(Grid *g, int row)
         for (int a = 0; a < DIM; a++) g->outward[(start + (size_t)i) * DIM + (size_t)a] = 0;
 }
 
-void sim_stress(const Sim *sim, const Chunk *c, Field T[NMAT])
-{
-    material_kirchhoff(&sim->setup->scene->mat, (const double *const *)c->F, T);
-}
-
 void sim_body(const Sim *sim, const Chunk *c, double t, Field b[DIM])
 {
     const Scene *scene = sim->setup->scene;
@@ -59,17 +54,27 @@ static void refer_stress(const Chunk *c, Field T[NMAT])
     }
 }
 
+/* Where particles may break. */
+static void weighted_stress(const Sim *sim, const Chunk *c, const Field weight, Field T[NMAT])
+{
+    sim_stress(sim, c, T);
+    for (int k = 0; k < NMAT; k++)
+        for (int p = 0; p < CHUNK; p++) T[k][p] *= weight[p];
+}
+
 /* T = V0 J sigma / h [N], in the total frame V0 P / h, the momentum flux of a chunk; 0 in passes
  * without forces. */
 static void chunk_stress(const Sim *sim, const Chunk *c, bool force, Field T[NMAT])
 {
     Field weight;
     for (int p = 0; p < CHUNK; p++) weight[p] = c->V0[p] * sim->g.cells;
-    if (force)
+    if (!force || sim->method.integrate)
+        memset(T, 0, sizeof(Field) * NMAT);
+    else if (c->strength)
+        weighted_stress(sim, c, weight, T);
+    else
         material_kirchhoff_weighted(&sim->setup->scene->mat, (const double *const *)c->F, weight,
                                     T);
-    else
-        memset(T, 0, sizeof(Field) * NMAT);
     if (force && sim->total) refer_stress(c, T);
 }
 
@@ -196,7 +201,9 @@ void deposit_all(Sim *sim, double t, Deposit what)
         sim->method.assemble(sim, t, what == FORCES);
         return;
     }
-    if (!deposit_blocks(sim, t, what, ALL) || what == ROUND) return;
+    const bool on_node = deposit_blocks(sim, t, what, ALL);
+    if (what == FORCES && sim->method.integrate) sim->method.integrate(sim);
+    if (!on_node || what == ROUND) return;
     on_node_mark_body(sim);
     if (what == FORCES) deposit_blocks(sim, t, what, ON_NODES);
 }

@@ -126,6 +126,15 @@ size_t mirror_image(const Grid *g, const int index[DIM], double sign[DIM])
     return (size_t)row * (size_t)g->n[0] + (size_t)own[0];
 }
 
+bool mirror_has_node(const Grid *g, int axis, int i, int row)
+{
+    int index = i;
+    for (int d = 1; d <= axis; d++) index = row % g->n[d], row /= g->n[d];
+    for (int k = 0; k < g->nmirror; k++)
+        if (g->mirror[k].axis == axis && g->mirror[k].at == index) return true;
+    return false;
+}
+
 /* The image of every live ghost is live. */
 static void reach_images(Grid *g, const Mirror *m)
 {

@@ -122,7 +122,7 @@ static double core_work(const void *self)
 {
     const Bodies *all = &((const Core *)self)->all;
     double work = all->n > 1 ? all->contact.work : skin_work(all->sim[0]->skin);
-    for (int b = 0; b < all->n; b++) work += all->sim[b]->driven;
+    for (int b = 0; b < all->n; b++) work += all->sim[b]->driven - sim_lost(all->sim[b]);
     return work;
 }
 
@@ -145,7 +145,7 @@ static void add_stress(const Sim *sim, int first, Fields F, Fields sigma)
     for (int at = 0; at < sim->p.n; at += CHUNK) {
         const Chunk c = sim_chunk(sim, at / CHUNK);
         Field T[NMAT];
-        material_kirchhoff(&sim->setup->scene->mat, (const double *const *)c.F, T);
+        sim_stress_now(sim, &c, T);
         for (int p = 0; p < CHUNK && at + p < sim->p.n; p++) {
             Mat f;
             const int to = first + at + p;

@@ -19,6 +19,7 @@ static double widest_half(double half, bool list)
 static bool field_used(const Sim *sim, int field)
 {
     if (field >= AT_OWN) return field - AT_OWN < sim_own_count(&sim->method);
+    if (field >= AT_STRENGTH) return sim->setup->scene && sim->setup->scene->problem->strength;
     if (field >= AT_N) return sim->method.surface;
     if (field >= AT_W) return sim->method.filter;
     if (field >= AT_U) return sim->setup->integrator == MUSL;
@@ -224,6 +225,7 @@ static bool start_particles(Sim *sim)
                               p->field + AT_X, p->field + AT_V, p->field + AT_F, l);
     for (int d = 0; d < DIM; d++)
         for (int s = 0; s < p->n; s++) p->field[AT_X + d][s] += p->field[AT_X0 + d][s];
+    sim_start_strength(sim);
     if (sim->total && p->field[AT_L]) sim_refer_gradient(p);
     free(L);
     return true;
@@ -267,9 +269,7 @@ Sim *sim_new(const Setup *setup, Fault *fault)
         fault_set(fault, FAULT_MACHINE, "out of memory");
         return NULL;
     }
-    *sim = (Sim){0};
-    sim->setup = setup;
-    sim->method = *setup->method;
+    *sim = (Sim){.setup = setup, .method = *setup->method};
     sim->total = setup->frame == FRAME_TOTAL;
     sim->domain = sim->total ? DOMAIN_UNDEFORMED : setup->domain;
     if (sim->method.adapt) sim->method.adapt(setup->method_par, &sim->method);

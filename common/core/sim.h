@@ -13,17 +13,19 @@
 
 /* Particle fields; each is an array over slots, or NULL where the run does not need it. */
 enum {
-    AT_X0 = 0,           /* reference position [m], DIM of them */
-    AT_X = AT_X0 + DIM,  /* position [m] */
-    AT_V = AT_X + DIM,   /* velocity [m/s] */
-    AT_F = AT_V + DIM,   /* deformation gradient [-], NMAT of them */
-    AT_M = AT_F + NMAT,  /* mass [kg] */
-    AT_VOL = AT_M + 1,   /* reference volume [m^DIM] */
-    AT_L = AT_VOL + 1,   /* velocity gradient [1/s], NMAT: if the method keeps it */
-    AT_U = AT_L + NMAT,  /* displacement of this step [m], DIM: if the integrator keeps it */
-    AT_W = AT_U + DIM,   /* velocity in a filter's round [m/s], DIM: if the method has a filter */
-    AT_N = AT_W + DIM,   /* outward normal in the reference state, DIM: of surface points */
-    AT_OWN = AT_N + DIM, /* the method's own, MAX_OWN */
+    AT_X0 = 0,          /* reference position [m], DIM of them */
+    AT_X = AT_X0 + DIM, /* position [m] */
+    AT_V = AT_X + DIM,  /* velocity [m/s] */
+    AT_F = AT_V + DIM,  /* deformation gradient [-], NMAT of them */
+    AT_M = AT_F + NMAT, /* mass [kg] */
+    AT_VOL = AT_M + 1,  /* reference volume [m^DIM] */
+    AT_L = AT_VOL + 1,  /* velocity gradient [1/s], NMAT: if the method keeps it */
+    AT_U = AT_L + NMAT, /* displacement of this step [m], DIM: if the integrator keeps it */
+    AT_W = AT_U + DIM,  /* velocity in a filter's round [m/s], DIM: if the method has a filter */
+    AT_N = AT_W + DIM,  /* outward normal in the reference state, DIM: of surface points */
+    AT_STRENGTH = AT_N + DIM,  /* largest tension [Pa], 0: broken; in scenes whose matter breaks */
+    AT_LOST = AT_STRENGTH + 1, /* stored energy that went when it broke [J], likewise */
+    AT_OWN = AT_LOST + 1,      /* the method's own, MAX_OWN */
     FIELDS = AT_OWN + MAX_OWN
 };
 
@@ -206,10 +208,16 @@ unsigned sim_stops(const Grid *g, int row, int i, double dt);
 #define NOWHERE ((size_t)-1)
 size_t mirror_image(const Grid *g, const int index[DIM], double sign[DIM]);
 
-/* What a chunk's points carry at time t: T = J sigma [Pa] and body force per mass b [m/s^2] (0 if
- * the scene has none). Distance [cells] of a node inside the body, from a scene that knows it; else
- * NAN. deposit.c. */
+/* Does node i of a row lie on a symmetry plane across this axis? */
+bool mirror_has_node(const Grid *g, int axis, int i, int row);
+
+/* What a chunk's points carry at time t: T = J sigma [Pa], for a deposit: those break whose tension
+ * passes their strength; and body force per mass b [m/s^2] (0 if the scene has none). Distance
+ * [cells] of a node inside the body, from a scene that knows it; else NAN. deposit.c. */
 void sim_stress(const Sim *sim, const Chunk *c, Field T[NMAT]);
+void sim_stress_now(const Sim *sim, const Chunk *c, Field T[NMAT]); /* nothing breaks */
+void sim_start_strength(Sim *sim);                                  /* as the scene says */
+double sim_lost(const Sim *sim); /* [J] that broken particles stored */
 void sim_body(const Sim *sim, const Chunk *c, double t, Field b[DIM]);
 double sim_distance(const Sim *sim, const int index[DIM], double t);
 
@@ -223,6 +231,8 @@ static inline Chunk sim_chunk(const Sim *sim, int k)
                .V0 = p->field[AT_VOL] + at,
                .id = p->id + at,
                .own = p->field + AT_OWN,
+               .strength = p->field[AT_STRENGTH] ? p->field[AT_STRENGTH] + at : NULL,
+               .lost = p->field[AT_LOST] ? p->field[AT_LOST] + at : NULL,
                .first = at};
     for (int d = 0; d < DIM; d++) {
         c.X[d] = p->field[AT_X0 + d] + at;

@@ -10,6 +10,7 @@
  * about it, so that a uniform stress balances its traction exactly. */
 #include "skin.h"
 #include <stdlib.h>
+#include <string.h>
 #include "common/contract/layout.h"
 #include "sim.h"
 
@@ -17,7 +18,7 @@ enum { SKIN_CORNERS = 1 << DIM };
 
 /* Corners of a point's cell and their weights. */
 typedef struct Foot {
-    size_t node[SKIN_CORNERS];
+    size_t node[SKIN_CORNERS];       /* NOWHERE: has no mass, and what stands there is not read */
     double weight[SKIN_CORNERS];     /* of its force */
     double motion[SKIN_CORNERS];     /* of the nodes' velocities */
     double slope[SKIN_CORNERS][DIM]; /* [1/m] */
@@ -104,6 +105,13 @@ void skin_stash(Skin *skin, Stash *s)
     STASH(s, skin->work);
 }
 
+void skin_take_over(Skin *to, const Skin *from)
+{
+    if (!to) return;
+    memcpy(to->memory, from->memory, sizeof(double) * to->numbers);
+    to->work = from->work;
+}
+
 double skin_work(const Skin *skin)
 {
     return skin ? skin->work : 0;
@@ -170,6 +178,7 @@ static void find_foot(const Sim *sim, const Skin *s, int p, Foot *f)
     int base[DIM];
     double from[DIM], total = 0, mass = 0;
     *f = (Foot){.weight = {0}};
+    for (int k = 0; k < SKIN_CORNERS; k++) f->node[k] = NOWHERE;
     for (int d = 0; d < DIM; d++) {
         const double at = s->x[d][p] * sim->g.cells - sim->g.origin[d];
         base[d] = (int)floor(fmin(fmax(at, -9), 1e9));
@@ -203,19 +212,9 @@ static void deposit_points(Sim *sim, const Skin *s)
 {
     for (int p = 0; p < s->n; p++)
         for (int k = 0; k < SKIN_CORNERS; k++)
-            for (int a = 0; a < DIM; a++)
+            for (int a = 0; a < DIM && s->foot[p].node[k] != NOWHERE; a++)
                 sim->g.force[s->foot[p].node[k] * DIM + (size_t)a] +=
                     s->foot[p].weight[k] * s->force[a][p];
-}
-
-/* Does node i of a row lie on a symmetry plane across this axis? */
-static bool on_mirror(const Grid *g, int axis, int i, int row)
-{
-    int index = i;
-    for (int d = 1; d <= axis; d++) index = row % g->n[d], row /= g->n[d];
-    for (int k = 0; k < g->nmirror; k++)
-        if (g->mirror[k].axis == axis && g->mirror[k].at == index) return true;
-    return false;
 }
 
 /* Force and current area vector a n = J F^-T N A of point p onto its corners. */
@@ -230,7 +229,7 @@ static void sum_point(Skin *s, int p)
         for (int b = 0; b < DIM; b++) own[DIM + a] += cofactor(F, a, b) * s->N[b][p] * s->area[p];
     }
     for (int k = 0; k < SKIN_CORNERS; k++)
-        for (int c = 0; c < 2 * DIM; c++)
+        for (int c = 0; c < 2 * DIM && s->foot[p].node[k] != NOWHERE; c++)
             s->sum[s->foot[p].node[k]][c] += s->foot[p].weight[k] * own[c];
 }
 
@@ -243,7 +242,7 @@ static void load_node(Sim *sim, Skin *s, size_t at)
     const size_t row = at / (size_t)sim->g.n[0];
     for (int a = 0; a < DIM; a++) square += sum[DIM + a] * sum[DIM + a];
     for (int a = 0; a < DIM && square > 0; a++)
-        if (!on_mirror(&sim->g, a, (int)(at % (size_t)sim->g.n[0]), (int)row))
+        if (!mirror_has_node(&sim->g, a, (int)(at % (size_t)sim->g.n[0]), (int)row))
             share += sum[DIM + a] * sim->g.outward[at * DIM + (size_t)a] / square;
     for (int a = 0; a < DIM; a++) sim->g.force[at * DIM + (size_t)a] += share * sum[a];
     for (int c = 0; c < 2 * DIM; c++) sum[c] = 0;
@@ -257,7 +256,8 @@ void skin_deposit(Sim *sim, double t)
     if (!sim->g.outward) deposit_points(sim, s);
     for (int p = 0; p < s->n && sim->g.outward; p++) sum_point(s, p);
     for (int p = 0; p < s->n && sim->g.outward; p++)
-        for (int k = 0; k < SKIN_CORNERS; k++) load_node(sim, s, s->foot[p].node[k]);
+        for (int k = 0; k < SKIN_CORNERS; k++)
+            if (s->foot[p].node[k] != NOWHERE) load_node(sim, s, s->foot[p].node[k]);
 }
 
 static double work_of_step(const Skin *s)
@@ -274,7 +274,7 @@ static void strain_point(const Sim *sim, Skin *s, int p, double dt)
     Mat F, L = {0};
     for (int k = 0; k < NMAT; k++) F[k] = s->F[k][p];
     for (int k = 0; k < SKIN_CORNERS; k++)
-        for (int c = 0; c < NMAT; c++)
+        for (int c = 0; c < NMAT && s->foot[p].node[k] != NOWHERE; c++)
             L[c] += s->foot[p].slope[k][c % DIM] * sim->g.node[s->foot[p].node[k]][c / DIM];
     for (int c = 0; c < NMAT; c++)
         for (int b = 0; b < DIM; b++)
@@ -289,7 +289,8 @@ void skin_move(Sim *sim, double t, double dt)
         for (int d = 0; d < DIM; d++) {
             s->move[d][p] = 0;
             for (int k = 0; k < SKIN_CORNERS; k++)
-                s->move[d][p] += dt * s->foot[p].motion[k] * sim->g.node[s->foot[p].node[k]][d];
+                if (s->foot[p].node[k] != NOWHERE)
+                    s->move[d][p] += dt * s->foot[p].motion[k] * sim->g.node[s->foot[p].node[k]][d];
             s->x[d][p] += s->move[d][p];
         }
     const double before = work_of_step(s);

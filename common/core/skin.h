@@ -22,6 +22,9 @@ void skin_move(struct Sim *sim, double t, double dt);
 /* What steps change of it, for a checkpoint. */
 void skin_stash(Skin *skin, Stash *s);
 
+/* The points of one made for the same scene, as they are, for a hand-over. */
+void skin_take_over(Skin *to, const Skin *from);
+
 /* [J] work of the traction so far. */
 double skin_work(const Skin *skin);
 

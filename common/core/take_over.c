@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "passes.h"
+#include "skin.h"
 #include "step.h"
 
 /* A particle's gradient, its spreads D [m^2], and M/m of the planes (0, 1), (0, 2), (1, 2). */
@@ -90,6 +91,8 @@ static bool read_affine(Sim *sim, Affine out[])
 static void copy_slot(Sim *to, int at, const Sim *from, int slot)
 {
     for (int f = AT_X; f <= AT_VOL; f++) to->p.field[f][at] = from->p.field[f][slot];
+    for (int f = AT_STRENGTH; f <= AT_LOST && to->p.field[f]; f++)
+        to->p.field[f][at] = from->p.field[f][slot];
 }
 
 static bool same_place(const Sim *a, int s, const Sim *b, int t)
@@ -238,6 +241,8 @@ int sim_take_over(Sim *to, Sim *from, Fault *fault)
         if (is_affine(to)) ok = turn_gradients(to, state, mine, theirs, to->p.count - to->surface);
         if (!is_affine(to) && DIM > 1 && is_affine(from) && !to->g.nmirror) turn_body(to, lost);
         if (to->surface) take_surface(to, from, mine, theirs);
+        skin_take_over(to->skin, from->skin);
+        to->driven = from->driven;
         sim_restart(to);
     }
     free(state), free(mine), free(theirs);

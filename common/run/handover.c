@@ -83,20 +83,27 @@ static int second_spec(const RunSpec *spec, const Plan *first, const char *then,
     return 0;
 }
 
-/* A time, "inverted" or "J=x"; printed as it is read. */
+/* A time, "inverted", "rupture" or "J=x"; printed as it is read. */
 static int read_at(RunSpec *spec, const Plan *first, Handover *out, Fault *fault)
 {
     const char *text = spec_get(spec, "at");
     const bool J = strncmp(text, "J=", 2) == 0, inverted = strcmp(text, "inverted") == 0;
     const double most = J ? 1 : first->t_end;
-    const bool read = !inverted && info_number_parse(text + (J ? 2 : 0), &out->value) == 0;
+    const bool rupture = strcmp(text, "rupture") == 0;
+    const bool read =
+        !inverted && !rupture && info_number_parse(text + (J ? 2 : 0), &out->value) == 0;
     char number[64], pair[128];
-    out->at = inverted ? AT_INVERTED : J ? AT_J : AT_TIME;
-    if (inverted) return 0;
+    out->at = inverted ? AT_INVERTED : rupture ? AT_RUPTURE : J ? AT_J : AT_TIME;
+    if (rupture && !first->scene.problem->strength)
+        return fault_set(fault, FAULT_USAGE,
+                         "--at: got 'rupture', takes a scene whose matter breaks (burst_ring), not "
+                         "%s",
+                         spec->problem);
+    if (inverted || rupture) return 0;
     if (!read || !(out->value > 0) || !(J ? out->value <= most : out->value < most))
         return fault_set(
             fault, FAULT_USAGE,
-            "--at: got '%s', takes a time above 0 and below t_end = %.6g, inverted, or "
+            "--at: got '%s', takes a time above 0 and below t_end = %.6g, inverted, rupture, or "
             "J=x with x above 0, at most 1",
             text, first->t_end);
     info_number_print(out->value, number);
@@ -132,7 +139,7 @@ int handover_plan(RunSpec *spec, const Plan *first, Handover *out, Fault *fault)
     out->at = AT_NEVER;
     if (!then && at) return needs("--at", "--then METHOD", fault);
     if (!then) return sets ? needs("--then-set", "--then METHOD", fault) : 0;
-    if (!at) return needs("--then", "--at TIME, --at inverted or --at J=x", fault);
+    if (!at) return needs("--then", "--at TIME, --at inverted, --at rupture or --at J=x", fault);
     if (first->scene.problem->projection)
         return fault_set(fault, FAULT_USAGE,
                          "--then: got '%s', takes a scene in motion, and %s has no time steps",
@@ -141,11 +148,6 @@ int handover_plan(RunSpec *spec, const Plan *first, Handover *out, Fault *fault)
         return fault_set(fault, FAULT_USAGE,
                          "--then: got '%s', takes a scene with one body, and %s has two", then,
                          spec->problem);
-    if (first->scene.traction)
-        return fault_set(fault, FAULT_USAGE,
-                         "--then: got '%s', takes a surface without traction, whose points the "
-                         "second method would not find where they are",
-                         then);
     if (!first->solver->take_over)
         return fault_set(fault, FAULT_USAGE,
                          "--then: got '%s', takes a run with particles, and %s is a mesh", then,
@@ -153,6 +155,11 @@ int handover_plan(RunSpec *spec, const Plan *first, Handover *out, Fault *fault)
     if (read_at(spec, first, out, fault)) return FAULT_USAGE;
     if (second_spec(spec, first, spec_get(spec, "then"), &second, fault)) return FAULT_USAGE;
     if (plan_make(&second, &out->plan, fault)) return by_option(fault);
+    if (first->scene.traction && !first->setup.method->assemble && out->plan.setup.method->assemble)
+        return fault_set(fault, FAULT_USAGE,
+                         "--then: got '%s' after %s, takes a method of particles under traction: "
+                         "what integrates over cells needs surface points with strain",
+                         then, spec->method);
     if (first->setup.frame == FRAME_TOTAL || out->plan.setup.frame == FRAME_TOTAL)
         return fault_set(
             fault, FAULT_USAGE,

@@ -45,6 +45,18 @@ static void add_points(Lanes *s, const Points *q, int at)
     add_motion(s, rest[0], v);
 }
 
+/* Of points that are broken. */
+static void forget_tension(const Material *mat, const double *const F[NMAT],
+                           const double strength[], int n, Field psi)
+{
+    for (int p = 0; p < n; p++) {
+        Mat f, T;
+        if (strength[p] > 0) continue;
+        for (int k = 0; k < NMAT; k++) f[k] = F[k][p];
+        psi[p] = material_without_tension(mat, f, T);
+    }
+}
+
 static void add_strain(Lanes *s, const Material *mat, const Samples *q, int at)
 {
     const int n = least_int(q->n - at, CHUNK);
@@ -52,6 +64,7 @@ static void add_strain(Lanes *s, const Material *mat, const Samples *q, int at)
     Field psi;
     for (int k = 0; k < NMAT; k++) F[k] = q->F[k] + at;
     material_stored_energy(mat, n, F, psi);
+    if (q->strength) forget_tension(mat, F, q->strength + at, n, psi);
     for (int p = 0; p < n; p++) s->strain[p] += q->V0[at + p] > 0 ? q->V0[at + p] * psi[p] : 0;
 }
 

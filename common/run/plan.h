@@ -26,7 +26,7 @@ typedef struct Plan {
 /* A run that goes on with another method on the same particles: --then METHOD --at WHEN, --then-set
  * NAME=VALUE. In a spec these are settings: then, at, then_NAME, so that a row's parameters make
  * the run again. */
-typedef enum { AT_NEVER, AT_TIME, AT_INVERTED, AT_J } HandoverAt;
+typedef enum { AT_NEVER, AT_TIME, AT_INVERTED, AT_J, AT_RUPTURE } HandoverAt;
 
 typedef struct Handover {
     HandoverAt at;

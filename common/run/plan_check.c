@@ -38,6 +38,16 @@ static int check_distance(const RunSpec *spec, const Plan *plan, Fault *fault)
                      DIM, known, spec->problem);
 }
 
+/* Elements do not break. */
+static int check_rupture(const RunSpec *spec, const Plan *plan, Fault *fault)
+{
+    if (!plan->scene.problem->strength || plan->setup.method) return 0;
+    return fault_set(fault, FAULT_USAGE,
+                     "--method: got '%s', takes a method of particles with %s: not fem, whose "
+                     "elements do not break",
+                     plan->method->name, spec->problem);
+}
+
 /* Outputs that this run cannot have are refused before it begins. */
 int plan_check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
 {
@@ -46,7 +56,7 @@ int plan_check_outputs(const RunSpec *spec, const Plan *plan, Fault *fault)
                           (plan->setup.method_b && plan->setup.method_b->patches);
     const char *name = plan->method->name;
     if (solver->takes && solver->takes(&plan->scene, fault)) return FAULT_USAGE;
-    if (check_distance(spec, plan, fault)) return FAULT_USAGE;
+    if (check_distance(spec, plan, fault) || check_rupture(spec, plan, fault)) return FAULT_USAGE;
     if (plan->scene.problem->projection && !solver->project)
         return fault_set(fault, FAULT_USAGE,
                          "--method: got '%s', which projects nothing onto a grid", name);

@@ -10,10 +10,22 @@ static Volumes volumes_now(const Loop *l)
     return ledger_volumes(&q);
 }
 
+/* Is a particle broken? */
+static bool is_broken(const Loop *l)
+{
+    Points p;
+    Samples q;
+    bool any = false;
+    l->plan->solver->view(l->self, &p, &q);
+    for (int k = 0; k < q.n; k++) any |= p.id[k] >= 0 && !(q.strength[k] > 0);
+    return any;
+}
+
 bool relay_is_due(const Loop *l)
 {
     const Handover *h = &l->handover;
     if (l->taken_over >= 0) return false;
+    if (h->at == AT_RUPTURE) return is_broken(l);
     if (h->at == AT_TIME) return l->t >= h->value * (1 - 1e-12);
     return h->at == AT_J && volumes_now(l).least < h->value;
 }

@@ -173,7 +173,7 @@ bool settings_act_on_method(int k, const Method *m)
     if (k == P_PARTICLES) return DIM == 1;
     if (k == P_ALLOW) return m->valid != all;
     if (k == P_REFRESH) return m->keeps_L;
-    if (k == P_FRAME) return !m->assemble;
+    if (k == P_FRAME) return !m->assemble && !m->integrate;
     return k == P_DOMAIN ? has_boxes(m, par) : true;
 }
 
@@ -222,7 +222,7 @@ int settings_frame(const RunSpec *spec, Plan *plan, const double run[], Fault *f
     const char *given = spec_get(spec, "frame");
     s->frame = given ? (Frame)run[P_FRAME] : settings_usual_frame(s);
     if (s->frame != FRAME_TOTAL) return 0;
-    if (!s->method || s->method->assemble)
+    if (!s->method || s->method->assemble || s->method->integrate)
         return fault_set(fault, FAULT_USAGE,
                          "--set frame: got 'total', takes current with %s, which %s", spec->method,
                          s->method ? "integrates over cells as the body fills them now"

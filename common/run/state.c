@@ -52,8 +52,10 @@ static double von_mises(const double s[9])
 }
 
 /* F, sigma and what follows from them, for row r. */
-static void set_strain(State *s, const Scene *scene, int r, const Mat F, const Mat sigma)
+static void set_strain(State *s, const Scene *scene, int r, const Mat F, const Mat sigma,
+                       bool broken)
 {
+    Mat T;
     const double *f[NMAT];
     for (int a = 0; a < 3; a++) s->F[r][4 * a] = 1;
     for (int k = 0; k < NMAT; k++) {
@@ -64,10 +66,11 @@ static void set_strain(State *s, const Scene *scene, int r, const Mat F, const M
     if (DIM == 2) s->sigma[r][8] = material_out_of_plane_stress(&scene->mat, F);
     s->von_mises[r] = von_mises(s->sigma[r]);
     material_stored_energy(&scene->mat, 1, f, &s->energy[r]);
+    if (broken) s->energy[r] = material_without_tension(&scene->mat, F, T);
 }
 
 static void set_point(State *s, const Scene *scene, const Points *p, double *const F[NMAT],
-                      double *const sigma[NMAT], int k)
+                      double *const sigma[NMAT], int k, bool broken)
 {
     const int r = p->id[k];
     Mat f, t;
@@ -84,7 +87,7 @@ static void set_point(State *s, const Scene *scene, const Points *p, double *con
     s->m[r] = p->m[k];
     s->surface[r] = (uint8_t) !(p->m[k] > 0);
     if (s->body) s->body[r] = r >= p->second;
-    set_strain(s, scene, r, f, t);
+    set_strain(s, scene, r, f, t, broken);
 }
 
 int state_of_points(State *out, const Scene *scene, const Solver *solver, const void *self,
@@ -102,7 +105,8 @@ int state_of_points(State *out, const Scene *scene, const Solver *solver, const 
     for (int k = 0; k < 2 * NMAT; k++) M[k] = room + (size_t)k * (size_t)p.n;
     if (ok) solver->point_stress(self, M, M + NMAT);
     for (int k = 0; ok && k < p.n; k++)
-        if (p.id[k] >= 0) set_point(out, scene, &p, M, M + NMAT, k);
+        if (p.id[k] >= 0)
+            set_point(out, scene, &p, M, M + NMAT, k, q.strength && !(q.strength[k] > 0));
     free(room);
     return ok ? 0 : FAULT_MACHINE;
 }
@@ -141,7 +145,7 @@ static void fill_patch(void *own, const Patch *patch)
     }
     s->id[r] = r;
     s->m[r] = patch->V0 * f->scene->mat.rho;
-    set_strain(s, f->scene, r, patch->F, sigma);
+    set_strain(s, f->scene, r, patch->F, sigma, false);
 }
 
 int state_of_elements(State *out, const Scene *scene, const Solver *solver, const void *self,

@@ -22,12 +22,24 @@ static Parity parity_of(int axis)
     return q;
 }
 
+/* A cell's image lies above the node before the image of its own node. The cell above a line's own
+ * node is a ghost only if the body lies below. */
+static bool find_cell(const Grid *g, const Mirror *m, size_t ghost, size_t *image)
+{
+    size_t stride = 1;
+    for (int d = 0; d < m->axis; d++) stride *= (size_t)g->n[d];
+    if (ghost == *image && m->side < 0) return false;
+    *image -= stride;
+    return true;
+}
+
 static void fold_pair(Sim *sim, const Mirror *m, size_t ghost, size_t image, int image_row,
                       void *own)
 {
-    Wls *w = wls_of(sim);
+    Wls *w = own;
     const Parity q = parity_of(m->axis);
-    (void)image_row, (void)own;
+    (void)image_row;
+    if (w->centres && !find_cell(&sim->g, m, ghost, &image)) return;
     w->fit[image][FIT_MOMENTS] += q.moments * w->fit[ghost][FIT_MOMENTS];
     w->fit[image][FIT_VALUE] += q.value * w->fit[ghost][FIT_VALUE];
     for (int d = 0; d < DIM; d++)
@@ -38,7 +50,7 @@ static void fold_pair(Sim *sim, const Mirror *m, size_t ghost, size_t image, int
     w->most[image] = w->most[ghost] > w->most[image] ? w->most[ghost] : w->most[image];
 }
 
-void wls_fold(Sim *sim)
+void wls_fold(Sim *sim, Wls *w)
 {
-    mirror_visit_pairs(sim, false, fold_pair, NULL);
+    mirror_visit_pairs(sim, false, fold_pair, w);
 }

@@ -52,10 +52,10 @@ static MomentPattern moment_pattern(void)
     return q;
 }
 
-static void make_kernel(const double x[], int cells, int origin, Kernel *out)
+static void make_kernel(const double x[], int cells, int origin, double shift, Kernel *out)
 {
     for (int p = 0; p < CHUNK; p++) {
-        const double at = x[p] * cells - origin, c = floor(at + 0.5), r = at - c;
+        const double at = x[p] * cells - origin - shift, c = floor(at + 0.5), r = at - c;
         out->base[p] = (int)c - 1;
         out->off[p] = r;
         out->table[W_ONE][0][p] = 0.5 * (0.5 - r) * (0.5 - r);
@@ -71,14 +71,26 @@ static void make_kernel(const double x[], int cells, int origin, Kernel *out)
         }
 }
 
+/* Volumes now [cells]. */
+static void find_volumes(const Sim *sim, const Chunk *c, Field V)
+{
+    for (int p = 0; p < CHUNK; p++) {
+        Mat F;
+        for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
+        V[p] = c->V0[p] * determinant(F);
+        for (int d = 0; d < DIM; d++) V[p] *= sim->g.cells;
+    }
+}
+
 /* beta of eq 13 rides on the tents of axis 0; padding has no weight at all. */
-static void weigh(const Wls *w, const Chunk *c, Kernel *kernel)
+static void weigh(const Sim *sim, const Wls *w, const Chunk *c, Kernel *kernel)
 {
     Field real, beta;
     for (int p = 0; p < CHUNK; p++) {
         real[p] = c->id[p] >= 0 ? 1 : 0;
         beta[p] = c->V0[p] > 0 ? 2 : real[p] * w->surface_beta;
     }
+    if (w->centres) find_volumes(sim, c, beta);
     for (int k = 0; k < 3; k++)
         for (int p = 0; p < CHUNK; p++) {
             for (int t = 0; t < W_TENT; t++) kernel->table[t][k][p] *= real[p];
@@ -87,13 +99,15 @@ static void weigh(const Wls *w, const Chunk *c, Kernel *kernel)
 }
 
 /* f_ext = rho b, sigma = T/J; a law whose T is not symmetric gives half of both. */
-static void load_forces(const Sim *sim, const Chunk *c, double t, const Field rho, Deposit *w)
+static void load_forces(const Sim *sim, const Chunk *c, double t, const Field rho, bool body,
+                        Deposit *w)
 {
     const double half = 0.5 / sim->setup->scene->mat.rho;
     sim_stress(sim, c, w->T);
-    sim_body(sim, c, t, w->body);
+    if (body) sim_body(sim, c, t, w->body);
     for (int a = 0; a < DIM; a++) {
-        for (int p = 0; p < CHUNK; p++) w->quantity[Q_FORCE + a][p] = rho[p] * w->body[a][p];
+        for (int p = 0; body && p < CHUNK; p++)
+            w->quantity[Q_FORCE + a][p] = rho[p] * w->body[a][p];
         for (int b = a; b < DIM; b++) {
             const int lane = Q_SIGMA + pair(a, b), ab = a * DIM + b, ba = b * DIM + a;
             for (int p = 0; p < CHUNK; p++)
@@ -103,7 +117,8 @@ static void load_forces(const Sim *sim, const Chunk *c, double t, const Field rh
 }
 
 /* All quantities of a chunk (4.1), rho = rho0/J among them. */
-static void load_quantities(const Sim *sim, const Chunk *c, double t, bool force, Deposit *w)
+static void load_quantities(const Sim *sim, const Chunk *c, double t, bool force, bool body,
+                            Deposit *w)
 {
     const double rho0 = sim->setup->scene->mat.rho;
     Field rho;
@@ -117,7 +132,7 @@ static void load_quantities(const Sim *sim, const Chunk *c, double t, bool force
     for (int p = 0; p < CHUNK; p++) w->quantity[Q_RHO][p] = rho[p];
     for (int l = Q_FORCE; l < LANES; l++)
         for (int p = 0; p < CHUNK; p++) w->quantity[l][p] = 0;
-    if (force) load_forces(sim, c, t, rho, w);
+    if (force) load_forces(sim, c, t, rho, body, w);
     for (int p = 0; p < CHUNK; p++)
         for (int l = 0; l < LANES; l++) w->A[p][l] = w->quantity[l][p];
 }
@@ -226,15 +241,14 @@ static inline __attribute__((always_inline)) void scatter(const Grid *g, Wls *wl
     }
 }
 
-static void deposit_chunk(Sim *sim, int k, double t, bool force, Deposit *w)
+static void deposit_chunk(Sim *sim, Wls *wls, int k, double t, bool force, Deposit *w)
 {
-    Wls *wls = wls_of(sim);
     const Chunk c = sim_chunk(sim, k);
     const MomentPattern q = moment_pattern();
     for (int d = 0; d < DIM; d++)
-        make_kernel(c.x[d], sim->g.cells, sim->g.origin[d], &w->kernel[d]);
-    weigh(wls, &c, &w->kernel[0]);
-    load_quantities(sim, &c, t, force, w);
+        make_kernel(c.x[d], sim->g.cells, sim->g.origin[d], wls->centres ? 0.5 : 0, &w->kernel[d]);
+    weigh(sim, wls, &c, &w->kernel[0]);
+    load_quantities(sim, &c, t, force, !wls->centres, w);
     if (wls->hermite > 0) {
         load_gradients(sim, &c, wls->hermite, w);
         scatter(&sim->g, wls, w, &q, true);
@@ -256,10 +270,9 @@ static void clear_row(const Grid *g, Wls *w, int row)
     }
 }
 
-void wls_deposit(Sim *sim, double t, bool force)
+void wls_deposit(Sim *sim, Wls *wls, double t, bool force)
 {
     Grid *g = &sim->g;
-    Wls *wls = wls_of(sim);
 #pragma omp parallel num_threads(sim->setup->threads)
     {
         Deposit w;
@@ -270,8 +283,8 @@ void wls_deposit(Sim *sim, double t, bool force)
 #pragma omp for schedule(dynamic, 1)
             for (int b = parity; b < sim->nblock; b += 2)
                 for (int k = sim->block[b].first; k < sim->block[b].last; k++)
-                    deposit_chunk(sim, k, t, force, &w);
+                    deposit_chunk(sim, wls, k, t, force, &w);
         }
     }
-    if (g->nmirror) wls_fold(sim);
+    if (g->nmirror) wls_fold(sim, wls);
 }

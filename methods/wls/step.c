@@ -27,6 +27,24 @@ static void read_choices(const double par[], Wls *w)
     w->condition = (int)par[P_CONDITION];
 }
 
+bool wls_alloc(const Sim *sim, Wls *w)
+{
+    const size_t n = (size_t)sim->g.rows * (size_t)sim->g.n[0];
+    w->fit = nodes_of(n, sizeof *w->fit);
+    w->skin = nodes_of(n, sizeof *w->skin);
+    w->skinned = calloc(n + 1, sizeof *w->skinned);
+    if (w->skin) memset(w->skin, 0, (n + 1) * sizeof *w->skin);
+    w->most = nodes_of(n, sizeof *w->most);
+    w->good = nodes_of(n, 1);
+    w->fallbacks = calloc((size_t)sim->g.rows, sizeof *w->fallbacks);
+    return w->fit && w->skin && w->skinned && w->most && w->good && w->fallbacks;
+}
+
+void wls_release(Wls *w)
+{
+    free(w->fit), free(w->skin), free(w->skinned), free(w->most), free(w->good), free(w->fallbacks);
+}
+
 bool wls_make(Sim *sim)
 {
     const Grid *g = &sim->g;
@@ -40,22 +58,14 @@ bool wls_make(Sim *sim)
     const double denser = sim->method.surface_per_cell / pow(sim->setup->ppc, 1.0 / DIM);
     w->surface_beta = denser > 0 ? 1 / denser : 1;
     for (int d = 2; d < DIM && denser > 0; d++) w->surface_beta /= denser;
-    w->fit = nodes_of(n, sizeof *w->fit);
-    w->skin = nodes_of(n, sizeof *w->skin);
-    w->skinned = calloc(n + 1, sizeof *w->skinned);
-    if (w->skin) memset(w->skin, 0, (n + 1) * sizeof *w->skin);
     if (w->corrected || w->sharpened) {
         w->inertia = nodes_of(n, sizeof *w->inertia);
         w->cell_mass = nodes_of(n, sizeof *w->cell_mass);
         w->stops = nodes_of(n, 1);
     }
     if (w->distance_by == DISTANCE_CURVED) w->bend = nodes_of(n, sizeof *w->bend);
-    w->most = nodes_of(n, sizeof *w->most);
     w->distance = nodes_of(n, sizeof *w->distance);
-    w->good = nodes_of(n, 1);
-    w->fallbacks = calloc((size_t)g->rows, sizeof *w->fallbacks);
-    return (w->count || w->condition != CONDITION_COUNT) && w->fit && w->skin && w->skinned &&
-           w->most && w->distance && w->good && w->fallbacks &&
+    return wls_alloc(sim, w) && w->distance && (w->count || w->condition != CONDITION_COUNT) &&
            ((w->inertia && w->cell_mass && w->stops) || !(w->corrected || w->sharpened)) &&
            (w->bend || w->distance_by != DISTANCE_CURVED);
 }
@@ -63,9 +73,9 @@ bool wls_make(Sim *sim)
 void wls_free(Sim *sim)
 {
     Wls *w = wls_of(sim);
-    free(w->count), free(w->fit), free(w->skin), free(w->inertia), free(w->most), free(w->distance),
-        free(w->good);
-    free(w->cell_mass), free(w->stops), free(w->skinned), free(w->bend), free(w->fallbacks);
+    wls_release(w);
+    free(w->count), free(w->inertia), free(w->distance);
+    free(w->cell_mass), free(w->stops), free(w->bend);
     free(w);
 }
 
@@ -95,7 +105,7 @@ static void solve_row(Sim *sim, int row)
 void wls_assemble(Sim *sim, double t, bool force)
 {
     const Grid *g = &sim->g;
-    wls_deposit(sim, t, force);
+    wls_deposit(sim, wls_of(sim), t, force);
     if (wls_of(sim)->count) wls_count(sim);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)

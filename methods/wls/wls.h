@@ -15,6 +15,7 @@
  *   wls/nodes.c     spurious nodes and nodes without mass (3.5, 4.5)
  *   wls/patches.c   cells as polygons, for output
  *   wls/step.c      their order, workspace
+ *   wls/centres.c   IMPM: planes of cells, integrals by one point
  *
  * Momentum. Forces are integrals over cells, with sum_i G_i = 0 at every point: on the grid
  * internal forces and the reactions at walls sum to zero. Particles receive dt sum_i M_i a_i with
@@ -121,6 +122,7 @@ typedef struct Wls {
     int *count;           /* [nodes] particles whose W reaches the node; NULL: not counted */
     double inside;        /* nodes with more beta are inside, eq 14 */
     double surface_beta;  /* beta of a surface point: 1, less where they are denser */
+    bool centres;         /* planes are those of cells about their middle; cell k: above node k */
     Line (*fit)[FIT];     /* [nodes] */
     Line (*skin)[2];      /* [nodes] sums over surface points, 0 but where `skinned` */
     bool *skinned;        /* [nodes] */
@@ -148,11 +150,12 @@ static inline bool wls_is_sound(const Sim *sim, size_t at)
     return wls_of(sim)->good[at] & SOUND;
 }
 
-/* Moments, loads, largest weights and surface sums of all live nodes, symmetry included. */
-void wls_deposit(Sim *sim, double t, bool force);
+/* Moments, loads, largest weights and surface sums of all live nodes, symmetry included. Of cells:
+ * W, r about the middle; in the place of beta the volume V0 J [cells], times the tent. */
+void wls_deposit(Sim *sim, Wls *w, double t, bool force);
 
 /* Adds what the mirrored body beyond symmetry lines would have deposited. */
-void wls_fold(Sim *sim);
+void wls_fold(Sim *sim, Wls *w);
 
 /* Coefficients of one node's functions in place of its loads. `hermite` = g^2 > 0: the loads of v
  * hold g^2 h L, too. Returns false if the node fell back to c0: it is not `near` enough to
@@ -241,6 +244,10 @@ void wls_velocity_at(const Sim *sim, const int index[DIM], double v[DIM]);
 /* Final velocities of one row, and forces of its spurious and massless nodes; after symmetry. */
 void wls_repair_row(Sim *sim, int row, double dt);
 
+/* What every fit needs; false: out of memory. */
+bool wls_alloc(const Sim *sim, Wls *w);
+void wls_release(Wls *w);
+
 /* Stages of Method (method.h), shared by all settings. */
 bool wls_make(Sim *sim);
 void wls_free(Sim *sim);
@@ -249,6 +256,13 @@ void wls_assemble(Sim *sim, double t, bool force);
 void wls_repair(Sim *sim, double dt);
 bool wls_normal(const Sim *sim, size_t node, double n[DIM]);
 void wls_patches(const Sim *sim, PatchVisit *visit, void *own);
+
+/* Those of impm. */
+bool wls_make_centres(Sim *sim);
+void wls_free_centres(Sim *sim);
+void wls_integrate_centres(Sim *sim);
+void wls_repair_centres(Sim *sim, double dt);
+enum { CENTRES_BYTES = 2 * (sizeof(Line[FIT + 2]) + 2 * sizeof(double) + 2) + sizeof(double) };
 
 /* Indices of the node of a row of nodes at i. */
 static inline void wls_index_of(const Grid *g, int row, int i, int index[DIM])

@@ -27,7 +27,7 @@ set rmargin at screen 0.965
 set label 1 heading('(b) turned block: force inside')
 unset xlabel
 set ylabel 'force / (E · face of a cell)' offset 1
-BLOCKS = 'mpm gimp apic mls_mpm bspline3 tlmpm cpdi cpdi2'
+BLOCKS = 'mpm gimp apic mls_mpm bspline3 tlmpm cpdi cpdi2 impm'
 set xrange [-0.6:words(BLOCKS) - 0.4]
 set yrange [1e-18:1]
 set ytics 1e3

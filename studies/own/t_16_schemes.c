@@ -10,8 +10,9 @@
  *
  * Tiling domains (Sadeghirad et al. 2011, 2013; de Vaucorbeil et al. 2020): a block, stretched and
  * turned by 30 degrees, in uniform stress. Convected domains tile it, and so do the reference
- * positions of particles: no force acts inside, at any place on the grid. (Forces as in
- * h_01_translation.c, over E times a cell's face.) The hanging bar of these papers: H-15. */
+ * positions of particles: no force acts inside, at any place on the grid. Nor does it where cells
+ * are integrated by a fitted stress (Sulsky & Gong 2016). (Forces as in h_01_translation.c, over E
+ * times a cell's face.) The hanging bar of these papers: H-15. */
 #include <math.h>
 #include "studies/tables/curves.h"
 #include "studies/tables/grades.h"
@@ -20,7 +21,7 @@ enum { BAR_CELLS = 40, COUNTS = 5, BLOCK_CELLS = 16 };
 static const int counts[COUNTS] = {100, 140, 180, 260, 340}; /* PPC 2.5 to 8.5, worst: halves */
 static const char splines[] = "mpm bspline bspline3";        /* of degree 1, 2, 3 */
 static const char transfers[] = "apic mls_mpm polypic";
-static const char domains[] = "mpm gimp apic mls_mpm bspline3 tlmpm cpdi cpdi2";
+static const char domains[] = "mpm gimp apic mls_mpm bspline3 tlmpm cpdi cpdi2 impm";
 
 static void cases(Cases *list, bool quick)
 {
@@ -162,6 +163,11 @@ static void check(Check *c, const Results *r)
           "Turned block in uniform stress: TLMPM has no error from particles that cross cells (de "
           "Vaucorbeil et al. 2020): force inside over E times a cell's face",
           force(r, "tlmpm"), 0, 1e-13);
+    claim(c, "T-16.impm",
+          "Turned block in uniform stress: IMPM integrates a fitted stress by one point per cell, "
+          "whatever the particles' places (Sulsky & Gong 2016): force inside over E times a cell's "
+          "face",
+          force(r, "impm"), 0, 1e-13);
 }
 
 const Study study_t_16_schemes = {
@@ -171,6 +177,6 @@ const Study study_t_16_schemes = {
     .cases = cases,
     .tables = tables,
     .check = check,
-    .also = "mls_mpm,bspline3,tlmpm,cpdi,cpdi2,polypic",
-    .claims = 9,
+    .also = "mls_mpm,bspline3,tlmpm,cpdi,cpdi2,polypic,impm",
+    .claims = 10,
 };

@@ -19,7 +19,9 @@ const Option run_args_options[] = {
     {"threads", "N", "threads inside the run (default 1)"},
     {"set", "NAME=VALUE", "a parameter of problem, method or run; may be repeated"},
     {"then", "M", "go on with another method on the same particles, from --at on"},
-    {"at", "WHEN", "a time [s], inverted (instead of that step) or J=x (least det F below x)"},
+    {"at", "WHEN",
+     "a time [s], inverted (instead of that step), rupture (after the first one) or J=x (least "
+     "det F below x)"},
     {"then-set", "NAME=VALUE", "a parameter of the second method; may be repeated"},
     {"csv", "FILE", "append the row to FILE, too"},
     {"history", "FILE", "write energies and errors of every step"},

@@ -183,7 +183,9 @@ static void check_empty_space(Rig *r)
     CU_ASSERT_FATAL(rig_steps(r, small, 0, 10) && rig_steps(&wide, large, 0, 10));
     double *a = rig_state(small), *b = rig_state(large);
     for (int k = 0; k < DIM * n; k++) b[AT_X * n + k] -= moved;
-    CU_ASSERT(rig_distance(a, b, n, false) < 1e-12); /* positions round off differently */
+    /* positions round off differently; one particle per cell in space makes ill-conditioned planes
+     */
+    CU_ASSERT(rig_distance(a, b, n, false) < (r->plan.setup.method->integrate ? 1e-10 : 1e-12));
     CU_ASSERT(small->nodes == large->nodes);
     free(a), free(b), sim_free(small), sim_free(large);
 }

@@ -1,10 +1,12 @@
 /* test_traction.c: scenes under traction: exact solutions against finite differences, momentum and
  * work against the traction known, threads. In the plane. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 #include "balance.h"
 #include "common/base/table.h"
+#include "common/core/skin.h"
 #include "tests/fixture.h"
 
 enum { PAR = 6 };
@@ -143,7 +145,26 @@ static void test_threads(void)
     }
 }
 
+/* Nodes outside the live spans hold anything, the first one as well. */
+static void test_dead_nodes(void)
+{
+    static const char *const names[] = {"gimp", "wls2"};
+    for (int m = 0; m < COUNT(names); m++) {
+        const Case ring = {DIM, "ring", 8, 0, 0, ""};
+        Rig r;
+        CU_ASSERT_FATAL(rig_plan(&r, &ring, names[m], CD, "traction=1"));
+        Sim *sim = rig_sim(&r);
+        CU_ASSERT_FATAL(rig_steps(&r, sim, 0, 1));
+        CU_ASSERT_FATAL(sim->g.lo[0] >= sim->g.hi[0]);
+        for (int l = 0; l < LANES; l++) sim->g.node[0][l] = NAN;
+        CU_ASSERT(rig_steps(&r, sim, 1, 20));
+        CU_ASSERT(isfinite(skin_work(sim->skin)));
+        sim_free(sim);
+    }
+}
+
 static const TestCase tests[] = {
+    {"nodes that are not live are not read", test_dead_nodes},
     {"body force of the ring under traction by finite differences", test_body_force},
     {"its traction is P N on both circles", test_ring_traction},
     {"the pulled bar's exact solution", test_pulled_bar},

@@ -151,7 +151,7 @@ static void test_momentum(void)
         snprintf(fine, sizeof fine, "%s --cells 8 --set steps=40", block);
         const Row row = run_text(coarse, (*m)->name);
         CU_ASSERT(row.momentum_drift < drift_of(&row));
-        if (row.fallbacks >= 0)
+        if (row.fallbacks >= 0 && row.momentum_drift > 1e-12) /* IMPM keeps it */
             CU_ASSERT(run_text(fine, (*m)->name).momentum_drift < 0.5 * row.momentum_drift);
     }
 }

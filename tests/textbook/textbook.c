@@ -18,8 +18,8 @@ double twin_det(const double F[DIM][DIM])
            F[0][z] * (F[u][0] * F[z][u] - F[u][u] * F[z][0]);
 }
 
-/* Cauchy stress [Pa]: W11 eq 32, or P F^T/J with P linear in F. */
-static void cauchy(const Material *m, const double F[DIM][DIM], double sigma[DIM][DIM])
+/* W11 eq 32, or P F^T/J with P linear in F. */
+void twin_cauchy(const Material *m, const double F[DIM][DIM], double sigma[DIM][DIM])
 {
     const double J = twin_det(F);
     double trace = 0;
@@ -88,7 +88,7 @@ static void deposit(Twin *w, const TwinParticle *p, bool force)
     look_around(w, p, s);
     if (w->method.modes) find_modes(w, p, s, &modes);
     if (w->method.gradient) slopes(w, p, s, A);
-    if (force) cauchy(&w->setup->scene->mat, p->F, stress);
+    if (force && !w->method.cells) twin_cauchy(&w->setup->scene->mat, p->F, stress);
     if (is_total(w) && force) piola(p->F, stress);
     const double V = p->V0 * (is_total(w) ? 1 : twin_det(p->F));
     FOR_NODES(s, i)
@@ -271,6 +271,8 @@ static void gather(Twin *w, double dt, Take take)
 static void solve_pass(Twin *w, double t, double dt, double scale, bool force)
 {
     project(w, t, force);
+    if (w->method.cells && force) twin_add_cell_forces(w);
+    if (w->method.cells) twin_fit_velocities(w);
     solve(w, dt, scale);
     if (w->method.filter == TWIN_NODES) twin_filter_nodes(w);
     if (w->method.filter == TWIN_PARTICLES && force) twin_filter_particles(w);

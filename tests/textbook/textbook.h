@@ -46,6 +46,7 @@ typedef struct TwinMethod {
     bool moments;  /* keeps sum_i S v (x_i - x)^T in the place of L (APIC) */
     bool fitted;   /* slopes of moving least squares instead of derivatives */
     bool modes;    /* keeps modes up to degree 2 (textbook_modes.h) */
+    bool cells;    /* planes fitted at nodes and in the middle of cells (textbook_cells.c) */
     TwinFilter filter;
     double least; /* a node with less than this part of a particle's mass is empty */
 } TwinMethod;
@@ -62,6 +63,8 @@ typedef struct Twin {
     double wall_lo[DIM], wall_hi[DIM]; /* nodes at which splines fold, or +-infinity */
     long nodes;
     TwinNode *node;
+    struct TwinFit *fit; /* [nodes] planes, moved by `shift` cells */
+    double shift;
 } Twin;
 
 /* NULL if the twin does not know the method, or out of memory. `setup` must outlive it. */
@@ -79,6 +82,10 @@ double twin_det(const double F[DIM][DIM]);
 void twin_refer_gradient(TwinParticle *p); /* L: dv/dx becomes dv/dX = dv/dx F */
 void twin_filter_particles(Twin *w);       /* p->w: V without what its filter keeps */
 void twin_filter_nodes(Twin *w);           /* node->v: filtered */
+bool twin_make_fits(Twin *w);
+void twin_fit_velocities(Twin *w);  /* node->p: m times those of the planes */
+void twin_add_cell_forces(Twin *w); /* node->f */
+void twin_cauchy(const Material *m, const double F[DIM][DIM], double sigma[DIM][DIM]); /* [Pa] */
 
 /* CPU time [ns] per particle and step of `steps` steps from the start; NAN if it is not known. */
 double twin_ns(const Setup *setup, double dt, int steps);

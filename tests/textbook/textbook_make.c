@@ -32,6 +32,7 @@ static const TwinMethod known[] = {
     {.name = "polypic", .shape = TWIN_SPLINE, .pic = 1, .modes = true, .least = 1e-24},
     {.name = "cpdi", .shape = TWIN_CPDI, .least = 1e-24},
     {.name = "cpdi2", .shape = TWIN_CPDI2, .least = 1e-24},
+    {.name = "impm", .shape = TWIN_SPLINE, .cells = true, .least = 1e-24},
     {.name = "flip_pic", .shape = TWIN_BOX, .least = 1e-24}};
 
 static void make_grid(Twin *w)
@@ -159,7 +160,7 @@ Twin *twin_new(const Setup *setup)
                                 setup->fitted, NULL);
     w->p = calloc((size_t)layout.n + 1, sizeof *w->p);
     w->node = calloc((size_t)w->nodes, sizeof *w->node);
-    const bool good = !bad && w->p && w->node;
+    const bool good = !bad && w->p && w->node && (!w->method.cells || twin_make_fits(w));
     for (int k = 0; k < layout.n && good; k++) place_one(w, &layout, k);
     for (int k = 0; k < w->n && good; k++) start_corners(w, &w->p[k]);
     layout_free(&layout);
@@ -177,6 +178,7 @@ void twin_free(Twin *w)
     if (!w) return;
     free(w->p);
     free(w->node);
+    free(w->fit);
     free(w);
 }
 

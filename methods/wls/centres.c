@@ -1,0 +1,142 @@
+/* centres.c: IMPM (Sulsky & Gong 2016) from the fits of this room: velocities are those of planes
+ * fitted at nodes, stresses those of planes fitted at the middle of cells, where one point
+ * integrates the internal force. See wls.h and methods/impm.c.
+ *
+ * Cell c is whole where its volumes V_p, weighted with the tent about its middle, sum to what they
+ * are in a full cell at a corner of a body, (7/8)^DIM of a cell; below that they are its share. (A
+ * cell that counted as soon as a particle enters it would push nodes that have next to no mass.) */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "wls.h"
+
+typedef struct Centres {
+    Wls node, cell;
+    double *share; /* [nodes] of the cell above a node: how full it is */
+} Centres;
+
+bool wls_make_centres(Sim *sim)
+{
+    const size_t n = (size_t)sim->g.rows * (size_t)sim->g.n[0] + 1;
+    Centres *c = sim->own = calloc(1, sizeof *c);
+    if (!c) return false;
+    c->node.trigger = c->cell.trigger = sim->setup->method_par[0];
+    c->cell.centres = true;
+    c->share = calloc(n, sizeof *c->share);
+    if (!c->share || !wls_alloc(sim, &c->node) || !wls_alloc(sim, &c->cell)) return false;
+    /* particles at the rim reach cells whose nodes are not live: written, but never read */
+    memset(c->cell.fit, 0, n * sizeof *c->cell.fit);
+    memset(c->cell.most, 0, n * sizeof *c->cell.most);
+    return true;
+}
+
+void wls_free_centres(Sim *sim)
+{
+    Centres *c = sim->own;
+    wls_release(&c->node);
+    wls_release(&c->cell);
+    free(c->share);
+    free(c);
+}
+
+/* Is the cell above node i of a row one of the body's, not of its image and not beyond a wall? */
+static bool is_within(const Grid *g, int row, int i)
+{
+    int index[DIM];
+    wls_index_of(g, row, i, index);
+    for (int d = 0; d < DIM; d++) {
+        const Axis *a = &g->axis[d];
+        if ((!a->open_lo && index[d] < a->wall_lo) || (!a->open_hi && index[d] >= a->wall_hi) ||
+            wls_mirrored_cell(g, d, index[d]))
+            return false;
+    }
+    return true;
+}
+
+static void solve_cells(const Sim *sim, Centres *c, int row)
+{
+    const Grid *g = &sim->g;
+    const double least = pow(7 / 8.0, DIM);
+    for (int i = g->lo[row]; i < g->hi[row]; i++) {
+        const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
+        const double sum = c->cell.fit[at][FIT_MOMENTS][M_BETA];
+        wls_solve_node(&c->cell, at);
+        c->share[at] = is_within(g, row, i) ? fmin(sum / least, 1) : 0;
+    }
+}
+
+/* f_i = -V_c sigma_c G_ic of the cell whose corner k the node is, G_ic = +-2/(2^n h) an axis. */
+static void add_cell(const Sim *sim, const Centres *c, size_t cell, int k, Line *node)
+{
+    double V = c->share[cell] * 2 / CORNERS * sim->g.cells;
+    for (int d = 0; d < DIM; d++) V *= sim->dx;
+    for (int b = 0; b < DIM; b++)
+        for (int a = 0; a < DIM; a++)
+            (*node)[FLUX + b * DIM + a] -=
+                (k >> b & 1 ? V : -V) * c->cell.fit[cell][FIT_VALUE][Q_SIGMA + pair(a, b)];
+}
+
+/* Every node from its cells, in their order. */
+static void add_forces(Sim *sim, const Centres *c, int row)
+{
+    Grid *g = &sim->g;
+    for (int k = 0; k < CORNERS; k++) {
+        int below = row, stride = 1;
+        for (int d = 1; d < DIM; stride *= g->n[d++]) below -= (k >> d & 1) * stride;
+        if (below < 0) continue;
+        for (int i = g->lo[row]; i < g->hi[row]; i++) {
+            const int first = i - (k & 1);
+            const size_t cell = (size_t)below * (size_t)g->n[0] + (size_t)first;
+            if (first >= g->lo[below] && first < g->hi[below] && c->share[cell] > 0)
+                add_cell(sim, c, cell, k, &g->node[(size_t)row * (size_t)g->n[0] + (size_t)i]);
+        }
+    }
+}
+
+void wls_integrate_centres(Sim *sim)
+{
+    const Grid *g = &sim->g;
+    Centres *c = sim->own;
+    wls_deposit(sim, &c->cell, 0, true);
+#pragma omp parallel num_threads(sim->setup->threads)
+    {
+#pragma omp for schedule(static)
+        for (int row = 0; row < g->rows; row++)
+            if (g->lo[row] < g->hi[row]) solve_cells(sim, c, row);
+#pragma omp for schedule(static)
+        for (int row = 0; row < g->rows; row++)
+            if (g->lo[row] < g->hi[row]) add_forces(sim, c, row);
+    }
+}
+
+/* Momentum of the fitted velocity, or of the mean of spurious nodes, which are counted. */
+static void set_velocities(Sim *sim, Wls *w, int row)
+{
+    const Grid *g = &sim->g;
+    int index[DIM];
+    w->fallbacks[row] = 0;
+    wls_index_of(g, row, 0, index);
+    for (index[0] = g->lo[row]; index[0] < g->hi[row]; index[0]++) {
+        double sign[DIM];
+        const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)index[0];
+        Line *node = &g->node[at];
+        if (!((*node)[0] > sim->mass_cut)) continue;
+        if (g->nmirror && mirror_image(g, index, sign) != at) continue; /* a ghost */
+        w->fallbacks[row] += !wls_solve_node(w, at);
+        for (int a = 0; a < DIM; a++) (*node)[1 + a] = (*node)[0] * w->fit[at][FIT_VALUE][Q_V + a];
+    }
+}
+
+void wls_repair_centres(Sim *sim, double dt)
+{
+    const Grid *g = &sim->g;
+    Wls *w = &((Centres *)sim->own)->node;
+    (void)dt;
+    wls_deposit(sim, w, 0, false);
+#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
+    for (int row = 0; row < g->rows; row++)
+        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0)) set_velocities(sim, w, row);
+    for (int row = 0; row < g->rows; row++)
+        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
+            sim->fallbacks += w->fallbacks[row];
+}
