@@ -103,8 +103,8 @@ typedef struct Problem {
     /* Body force per mass [m/s^2] at reference position X and time t, or NULL. */
     void (*body)(const Scene *s, int n, ConstFields X, double t, Fields b);
 
-    /* The largest principal stress [Pa] that the matter at X bears: tension cut-off. A particle that
-     * passes it carries no tension from then on. NULL: it bears any. Neo-Hookean law only. */
+    /* The largest principal stress [Pa] that the matter at X bears: tension cut-off. A particle
+     * that passes it carries no tension from then on. NULL: it bears any. Neo-Hookean law only. */
     void (*strength)(const Scene *s, int n, ConstFields X, double out[]);
 
     /* NULL: the scene has one body. Else it has two, on separate velocity fields: turns a copy of

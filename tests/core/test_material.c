@@ -142,6 +142,45 @@ static void test_speeds(void)
     CU_ASSERT(material_wave_speed_p(&m) < material_wave_speed_bound(&m));
 }
 
+/* What bears no tension: psi's derivative is T, T has no positive principal value, nothing is
+ * stored where all stretches exceed 1, and what is compressed along all axes is the sound matter.
+ */
+static void test_without_tension(void)
+{
+    const Material m = material_make(NEO_HOOKEAN, 1e4, DIM == 1 ? 0 : 0.3, 1);
+    const double eps = 1e-6;
+    for (int trial = 0; trial < 40; trial++) {
+        Mat F, T, none;
+        for (int k = 0; k < NMAT; k++)
+            F[k] = (k % (DIM + 1) == 0 ? 1 : 0) + rig_random(-0.25, 0.25);
+        material_without_tension(&m, F, T);
+        CU_ASSERT(material_largest_stress(T) < 1e-10 * m.E);
+        for (int k = 0; k < NMAT; k++) { /* dpsi = T : L, of F + eps L F, L along k */
+            double psi[2];
+            for (int side = 0; side < 2; side++) {
+                Mat G;
+                for (int c = 0; c < NMAT; c++) G[c] = F[c];
+                for (int c = 0; c < DIM; c++)
+                    G[k / DIM * DIM + c] += (side ? eps : -eps) * F[k % DIM * DIM + c];
+                psi[side] = material_without_tension(&m, G, none);
+            }
+            CHECK_CLOSE((psi[1] - psi[0]) / (2 * eps), T[k], 1e-5 * m.E);
+        }
+    }
+    Mat F = {0}, T;
+    const double *f[NMAT];
+    double psi;
+    for (int side = 0; side < 2; side++) {
+        for (int d = 0; d < DIM; d++) F[d * (DIM + 1)] = side ? 1.2 + 0.1 * d : 0.8 - 0.1 * d;
+        for (int k = 0; k < NMAT; k++) f[k] = &F[k];
+        material_stored_energy(&m, 1, f, &psi);
+        CHECK_CLOSE(material_without_tension(&m, F, T), side ? 0 : psi, 1e-12 * m.E);
+        if (side) CHECK_CLOSE(material_largest_stress(T), 0, 0);
+    }
+    for (int k = 0; k < NMAT; k++) T[k] = k == 0 ? 3 : k % (DIM + 1) == 0 ? 4 : DIM == 2 ? 1 : 0;
+    CHECK_CLOSE(material_largest_stress(T), DIM == 1 ? 3 : DIM == 2 ? 3.5 + sqrt(1.25) : 4, 1e-14);
+}
+
 static const TestCase tests[] = {
     {"logarithm to 1.5 ulp", test_log},
     {"logarithms of many", test_log_n},
@@ -149,6 +188,7 @@ static const TestCase tests[] = {
     {"rest and rotation are free of stress", test_rotation},
     {"stress across the plane", test_out_of_plane},
     {"Lame constants and wave speeds", test_speeds},
+    {"matter without tension", test_without_tension},
     {NULL, NULL},
 };
 CHECK_SUITE(tests)

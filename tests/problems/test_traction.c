@@ -163,7 +163,40 @@ static void test_dead_nodes(void)
     }
 }
 
+/* A ring that bursts: nothing depends on threads, across a hand-over at rupture; one that holds is
+ * not handed over. The pulled bar goes on under its traction, with its work. */
+static void test_burst(void)
+{
+    const Case burst = {DIM, "burst_ring", 24, 0, 0, ""},
+               weak = {DIM, "burst_ring", 16, 0, 0.1, ""};
+    const Case bar = {DIM, "pulled_bar", 16, 0, 0, ""};
+    Row row[4];
+    Fault fault = {0};
+    for (int k = 0; k < 3; k++) {
+        RunSpec spec = rig_spec(&burst, "wls2", NULL,
+                                k < 2 ? "then=gimp;at=rupture" : "then=gimp;at=rupture;strength=9");
+        spec.threads = 1 + 2 * (k == 1);
+        spec.t_end = 0.01;
+        CU_ASSERT_FATAL(run_spec(&spec, &row[k], &fault) == 0);
+    }
+    CU_ASSERT(strstr(row[0].reason, "gimp from step") != NULL);
+    CU_ASSERT(strstr(row[2].reason, "never") != NULL);
+    CU_ASSERT(row[0].energy_drift == row[1].energy_drift);
+    CU_ASSERT(row[0].momentum_drift == row[1].momentum_drift);
+    CHECK_CLOSE(row[0].energy_drift, 0, 0.035);
+    RunSpec spec =
+        rig_spec(&weak, "gimp", NULL, "layout=radial;domain=undeformed;strength=.1;weak=1");
+    spec.t_end = 0.01;
+    CU_ASSERT_FATAL(run_spec(&spec, &row[3], &fault) == 0);
+    CHECK_CLOSE(row[3].energy_drift, 0, 0.025); /* -.047 without what was lost */
+    spec = rig_spec(&bar, "wls2", NULL, "then=gimp;at=.012");
+    CU_ASSERT_FATAL(run_spec(&spec, &row[3], &fault) == 0);
+    CHECK_CLOSE(row[3].energy_drift, 0, 0.02);
+    CU_ASSERT(row[3].error_linf < 0.02);
+}
+
 static const TestCase tests[] = {
+    {"a ring that bursts, a bar handed over under traction", test_burst},
     {"nodes that are not live are not read", test_dead_nodes},
     {"body force of the ring under traction by finite differences", test_body_force},
     {"its traction is P N on both circles", test_ring_traction},
