@@ -29,7 +29,8 @@ static const struct Section {
       "OUT/NAME.csv    its table; NAME.json where it comes from; NAME.svg, NAME.png",
       "OUT/claims.csv  the verdicts; OUT/index.html all of it on one page"}},
     {"Environment",
-     {"OMP_WAIT_POLICY, GOMP_SPINCOUNT  how the --threads of a run wait for each other (OpenMP); if",
+     {"OMP_WAIT_POLICY, GOMP_SPINCOUNT  how the --threads of a run wait for each other (OpenMP); "
+      "if",
       "                neither is set they spin for microseconds, then sleep"}},
 };
 enum { SECTIONS = sizeof sections / sizeof *sections };
