@@ -223,6 +223,10 @@ static void check_forces(Check *c, const Table *t)
           "Alternating velocities in 3D: WLS, WLS2, GE-WLS keep them for 300 steps: most amplitude "
           "left",
           extreme(t, "ripple", "wls wls2 ge_wls", true), 0.9, 1.1);
+}
+
+static void check_turns(Check *c, const Table *t)
+{
     claim(c, "T-18e.h8-growth",
           "Imposed turn in 3D: J grows by exp(2 pi w dt) with GE-GIMP, APIC, TPIC, WLS2: largest "
           "ratio",
@@ -245,6 +249,7 @@ static void check(Check *c, const Results *r)
     for (const Info *const *i = engine_3d.methods; *i; i++)
         methods += !(*i)->on_request && engine_has_grid(&engine_3d, (*i)->name);
     check_forces(c, results_part(r, "found"));
+    check_turns(c, results_part(r, "found"));
     claim_differs(
         c, "T-18e.h5-tent",
         "Corner .01 h inside a cell in 3D, MPM: the critical step is sqrt(2 eps/h) h/c, "
