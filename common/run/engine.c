@@ -172,7 +172,8 @@ static int has_exact(const char *name)
 /* A chunk of one position; the other 63 see the same. */
 static int weight(const char *name, double x, double l, double *S, double *G)
 {
-    const Axis open_axis = {.wall_lo = -INFINITY, .wall_hi = INFINITY};
+    const Axis open_axis = {
+        .wall_lo = -INFINITY, .wall_hi = INFINITY, .open_lo = true, .open_hi = true};
     Field at, half;
     Stencil s;
     for (int p = 0; p < CHUNK; p++) at[p] = x + (double)MAX_WIDTH, half[p] = l;
@@ -180,7 +181,7 @@ static int weight(const char *name, double x, double l, double *S, double *G)
         if (strcmp((*m)->info.name, name) || (*m)->list) continue;
         const int width = (*m)->width(l);
         (*m)->shape(&open_axis, width, at, half, &s);
-        const int node = MAX_WIDTH - s.base[0];
+        const long long node = (long long)MAX_WIDTH - s.base[0];
         const bool seen = node >= 0 && node < width;
         *S = seen ? s.table[T_S][seen ? node : 0][0] : 0;
         *G = seen ? s.table[T_G][seen ? node : 0][0] : 0;

@@ -80,7 +80,7 @@ if [ -d "$BUILD/gcc/d2" ]; then
         core=$BUILD/gcc/d$d/common/core
         stages "$core/mirror.o" 2 # visits, once a line of symmetry
         stages "$core/solve.o" 1  # repair
-        stages "$core/deposit.o" 18 # width and shapes thrice (filters, particles on nodes), lists, payload, body force, assemble; distance
+        stages "$core/deposit.o" 19 # width and shapes thrice (filters, particles on nodes), lists, payload, body force, assemble, integrate; distance
         stages "$core/gather.o" 21  # width, shapes and lists five times (filters, first moments, hand-over), reach, update
     done
 fi
