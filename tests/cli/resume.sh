@@ -106,9 +106,9 @@ refused "a checkpoint without history" 2 "lacks" run $words --resume bare --hist
 words="bar --t-end .2"
 "$program" run $words --vtk shots --every 2000 >out 2>err
 (cd shots && sha256sum -- *) >whole.sums
-rm -rf shots
+rm -rf shots state state.1
 "$program" run $words --vtk shots --every 2000 --history part.history --checkpoint state >out 2>err &
-while [ ! -e shots ] && kill -0 $!; do :; done
+while [ ! -e shots/particles_000000.vtp ] && kill -0 $!; do :; done # the run has begun, not only its folder
 kill -TERM $!
 wait $!
 status=$?
