@@ -16,9 +16,10 @@
 
 enum { SKIN_CORNERS = 1 << DIM };
 
-/* Corners of a point's cell and their weights. */
+/* The n corners of a point's cell that have mass, and their weights. */
 typedef struct Foot {
-    size_t node[SKIN_CORNERS];       /* NOWHERE: has no mass, and what stands there is not read */
+    int n;
+    size_t node[SKIN_CORNERS];
     double weight[SKIN_CORNERS];     /* of its force */
     double motion[SKIN_CORNERS];     /* of the nodes' velocities */
     double slope[SKIN_CORNERS][DIM]; /* [1/m] */
@@ -144,6 +145,7 @@ static size_t massive_node(const Sim *sim, const int index[DIM])
 static void stand_on_nearest(const Sim *sim, const int base[DIM], const double from[DIM], Foot *f)
 {
     enum { SIDE = 6 };
+    const int own = f->n; /* behind corners of no weight */
     double least = INFINITY;
     int cube = 1;
     for (int d = 0; d < DIM; d++) cube *= SIDE;
@@ -157,8 +159,9 @@ static void stand_on_nearest(const Sim *sim, const int base[DIM], const double f
         const size_t at = massive_node(sim, index);
         if (at == NOWHERE || !(square < least)) continue;
         least = square;
-        f->node[0] = at;
-        f->weight[0] = f->motion[0] = 1;
+        f->n = own + 1;
+        f->node[own] = at;
+        f->weight[own] = f->motion[own] = 1;
     }
 }
 
@@ -177,8 +180,7 @@ static void find_foot(const Sim *sim, const Skin *s, int p, Foot *f)
 {
     int base[DIM];
     double from[DIM], total = 0, mass = 0;
-    *f = (Foot){.weight = {0}};
-    for (int k = 0; k < SKIN_CORNERS; k++) f->node[k] = NOWHERE;
+    *f = (Foot){.n = 0};
     for (int d = 0; d < DIM; d++) {
         const double at = s->x[d][p] * sim->g.cells - sim->g.origin[d];
         base[d] = (int)floor(fmin(fmax(at, -9), 1e9));
@@ -193,14 +195,15 @@ static void find_foot(const Sim *sim, const Skin *s, int p, Foot *f)
         }
         const size_t at = massive_node(sim, index);
         if (at == NOWHERE) continue;
-        f->node[k] = at;
-        f->weight[k] = S;
-        for (int b = 0; b < DIM; b++) f->slope[k][b] = slope_of(from, k, b) * sim->g.cells;
-        f->motion[k] = sim->method.assemble ? S : S * sim->g.node[at][0];
+        const int own = f->n++;
+        f->node[own] = at;
+        f->weight[own] = S;
+        for (int b = 0; b < DIM; b++) f->slope[own][b] = slope_of(from, k, b) * sim->g.cells;
+        f->motion[own] = sim->method.assemble ? S : S * sim->g.node[at][0];
         total += S;
-        mass += f->motion[k];
+        mass += f->motion[own];
     }
-    for (int k = 0; k < SKIN_CORNERS && total > 0; k++) {
+    for (int k = 0; k < f->n && total > 0; k++) {
         f->weight[k] /= total;
         f->motion[k] /= mass;
     }
@@ -211,8 +214,8 @@ static void find_foot(const Sim *sim, const Skin *s, int p, Foot *f)
 static void deposit_points(Sim *sim, const Skin *s)
 {
     for (int p = 0; p < s->n; p++)
-        for (int k = 0; k < SKIN_CORNERS; k++)
-            for (int a = 0; a < DIM && s->foot[p].node[k] != NOWHERE; a++)
+        for (int k = 0; k < s->foot[p].n; k++)
+            for (int a = 0; a < DIM; a++)
                 sim->g.force[s->foot[p].node[k] * DIM + (size_t)a] +=
                     s->foot[p].weight[k] * s->force[a][p];
 }
@@ -228,8 +231,8 @@ static void sum_point(Skin *s, int p)
         own[DIM + a] = 0;
         for (int b = 0; b < DIM; b++) own[DIM + a] += cofactor(F, a, b) * s->N[b][p] * s->area[p];
     }
-    for (int k = 0; k < SKIN_CORNERS; k++)
-        for (int c = 0; c < 2 * DIM && s->foot[p].node[k] != NOWHERE; c++)
+    for (int k = 0; k < s->foot[p].n; k++)
+        for (int c = 0; c < 2 * DIM; c++)
             s->sum[s->foot[p].node[k]][c] += s->foot[p].weight[k] * own[c];
 }
 
@@ -256,8 +259,7 @@ void skin_deposit(Sim *sim, double t)
     if (!sim->g.outward) deposit_points(sim, s);
     for (int p = 0; p < s->n && sim->g.outward; p++) sum_point(s, p);
     for (int p = 0; p < s->n && sim->g.outward; p++)
-        for (int k = 0; k < SKIN_CORNERS; k++)
-            if (s->foot[p].node[k] != NOWHERE) load_node(sim, s, s->foot[p].node[k]);
+        for (int k = 0; k < s->foot[p].n; k++) load_node(sim, s, s->foot[p].node[k]);
 }
 
 static double work_of_step(const Skin *s)
@@ -273,8 +275,8 @@ static void strain_point(const Sim *sim, Skin *s, int p, double dt)
 {
     Mat F, L = {0};
     for (int k = 0; k < NMAT; k++) F[k] = s->F[k][p];
-    for (int k = 0; k < SKIN_CORNERS; k++)
-        for (int c = 0; c < NMAT && s->foot[p].node[k] != NOWHERE; c++)
+    for (int k = 0; k < s->foot[p].n; k++)
+        for (int c = 0; c < NMAT; c++)
             L[c] += s->foot[p].slope[k][c % DIM] * sim->g.node[s->foot[p].node[k]][c / DIM];
     for (int c = 0; c < NMAT; c++)
         for (int b = 0; b < DIM; b++)
@@ -288,9 +290,8 @@ void skin_move(Sim *sim, double t, double dt)
     for (int p = 0; p < s->n; p++)
         for (int d = 0; d < DIM; d++) {
             s->move[d][p] = 0;
-            for (int k = 0; k < SKIN_CORNERS; k++)
-                if (s->foot[p].node[k] != NOWHERE)
-                    s->move[d][p] += dt * s->foot[p].motion[k] * sim->g.node[s->foot[p].node[k]][d];
+            for (int k = 0; k < s->foot[p].n; k++)
+                s->move[d][p] += dt * s->foot[p].motion[k] * sim->g.node[s->foot[p].node[k]][d];
             s->x[d][p] += s->move[d][p];
         }
     const double before = work_of_step(s);

@@ -43,7 +43,7 @@ static const struct {
     unsigned depths; /* bit k: depths[k] */
     double fastest, c;
 } scenes[DIMS] = {{&engine_1d, 10, PER_CELL, 63, 100, 100},
-                  {&engine_2d, 4, PER_CELL *PER_CELL, 4 | 32, 116.02387, 100}};
+                  {&engine_2d, 4, PER_CELL *PER_CELL, 4 | 32, BLOCK_P_SPEED, BLOCK_SPEED}};
 
 /* Where the last particle is [cells beyond a node]. */
 static double place(int edge, int depth)

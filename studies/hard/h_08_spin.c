@@ -12,11 +12,9 @@
 
 enum { CELLS = 16, TURNS = 10, METHODS = 12 /* that finish the imposed spin */ };
 enum { USUAL, STRETCH, EXPONENTIAL, SUBCYCLED, VARIANTS };
-#define SPIN       1.0                                  /* (a): w [c/m] */
-#define PER_STEP   (SPIN * BLOCK_CFL / (double)CELLS)   /* (a): w dt */
-#define BLOCK_TURN (2 * M_PI / (SPIN * BLOCK_SPEED))    /* (a) [s] */
-#define FREE_C     131.559                              /* (b): c, W11 eq 33 [m/s] */
-#define FREE_TURN  (2 * M_PI * 0.7071 / (0.2 * FREE_C)) /* (b) [s] */
+#define SPIN       1.0                                /* (a): w [c/m] */
+#define PER_STEP   (SPIN * BLOCK_CFL / (double)CELLS) /* (a): w dt */
+#define BLOCK_TURN (2 * M_PI / (SPIN * BLOCK_SPEED))  /* (a) [s] */
 
 static const struct {
     const char *name, *domain, *update;

@@ -14,8 +14,7 @@
 enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5, RUNGS = 6 };
 #define STRETCH 1.0717
 #define DRIFT   0.1
-#define FASTEST 116.02387 /* P waves [m/s] */
-#define EPS     0.01      /* H-5, in h */
+#define EPS     0.01 /* H-5, in h */
 #define OFF     "--set offset_x=.13 --set offset_y=.42 --set offset_z=.77"
 static const char uniform[] = "mpm gimp ge_gimp bspline wls2 ge_wls";
 static const char ripple[] = "mpm gimp ge_gimp bspline apic tpic wls wls2 ge_wls";
@@ -63,7 +62,8 @@ static void cases(Cases *list, bool quick)
                 "dim=3 "
                 "--set offset_x=%g --set offset_y=%g --set offset_z=%g --set stop_growth=1 --set "
                 "stretch=1.00000003 --set drift_x=1.6e-7",
-                corners[k].method, CORNER, rungs[n] * corners[k].scale * BLOCK_SPEED / FASTEST,
+                corners[k].method, CORNER,
+                rungs[n] * corners[k].scale * BLOCK_SPEED / BLOCK_P_SPEED,
                 EPS + 0.25 - corners[k].beyond, EPS + 0.25 - corners[k].beyond,
                 EPS + 0.25 - corners[k].beyond);
     for (const char *rest = spun; select_word(&rest, m);)
@@ -75,7 +75,7 @@ static void cases(Cases *list, bool quick)
         case_add_with(list, "history", part("free", m),
                       "run free_block --method %s --cells %d --t-end %.17g --set dim=3 --set box=2 "
                       "--set swing=0 --set drift=0",
-                      m, CELLS, 2 * M_PI * 0.7071 / (0.2 * 131.559));
+                      m, CELLS, FREE_TURN);
     for (int ge = 0; ge < 2; ge++)
         for (int k = 0; k < INTEGRATORS; k++)
             case_add(list,
@@ -171,7 +171,7 @@ static Measure stable(const Table *t, int corner)
     Measure rows = measure_sum_of(RUNGS);
     double last = 0;
     for (int n = 0; n < RUNGS; n++) {
-        const double cfl = rungs[n] * corners[corner].scale * BLOCK_SPEED / FASTEST;
+        const double cfl = rungs[n] * corners[corner].scale * BLOCK_SPEED / BLOCK_P_SPEED;
         const int row = select_next(t, -1, "stretch=1.00000003 method=%s cfl=%.6g",
                                     corners[corner].method, cfl);
         if (row < 0) continue;

@@ -1,7 +1,7 @@
 /* t_18_ball.c: energy of a ball through its impact on the floor: W11 fig. 8 in three dimensions. It
  * flies at 45 degrees: kinetic energy is halved when the ball stands still against the floor, and
  * what comes back of it is judged at t = 2.3, before it meets the right wall. */
-#include <math.h>
+#include "studies/tables/bounce.h"
 #include "studies/tables/curves.h"
 
 enum { INSTANTS = 100 /* of a history, at least */, CELLS = 24, METHODS = 5 };
@@ -17,34 +17,10 @@ static void cases(Cases *list, bool quick)
                   "run ball_impact --method wls --cells %d --set wall=unilateral", cells);
 }
 
-/* What one history gives; it must go on to t = 2.3. */
-typedef struct Bounce {
-    Measure least,
-        over;        /* kinetic energy over E0 before t = 1.6; largest total before 2.3, less 1 */
-    double at, back; /* when the first is; total over E0 at t = 2.3 */
-    Measure jump;    /* largest change of the total in one step over E0, whole run */
-} Bounce;
-
 static Bounce bounce(const Results *r, const char *part)
 {
-    const Table *t = results_run(r, "%s", part);
-    const double E0 = t->nrow ? select_number(t, 0, "total") : NAN;
-    Bounce b = {measure_min_of(INSTANTS / 3), measure_max_of(INSTANTS / 2), NAN, NAN,
-                measure_max_of(INSTANTS)};
-    double before = NAN, when = NAN;
-    for (int k = 0; k < t->nrow; k++) {
-        const double now = select_number(t, k, "t"), kinetic = select_number(t, k, "kinetic") / E0;
-        const double total = select_number(t, k, "total") / E0;
-        if (now < 1.6 && kinetic < b.least.value) b.at = now;
-        if (now < 1.6) measure_add_min(&b.least, kinetic);
-        if (now <= 2.3) measure_add_max(&b.over, total - 1);
-        if (now >= 2.3 && isnan(b.back))
-            b.back = before + (total - before) * (2.3 - when) / (now - when);
-        if (k > 0) measure_add_max(&b.jump, fabs(total - before));
-        before = total;
-        when = now;
-    }
-    return b;
+    return bounce_read(results_run(r, "%s", part),
+                       (BounceNeeds){INSTANTS / 3, INSTANTS / 2, INSTANTS});
 }
 
 /* By how many cells the particle methods stop before FEM does: time from the latest least kinetic

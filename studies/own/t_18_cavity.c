@@ -136,9 +136,7 @@ static void write_run(FILE *points, FILE *sums, const Results *r, const char *me
     if (!t->nrow || truth->n < LEAST) return;
     Sites s = sites_read(t, n, !engine_has_grid(&engine_3d, method), 0.35);
     qsort(s.site, (size_t)s.n, sizeof *s.site, by_angle);
-    Rim rim = {.n = s.n, .angle = must(malloc(sizeof(double) * 3 * ((size_t)s.n + 1)))};
-    rim.stress = rim.angle + s.n;
-    rim.reference = rim.stress + s.n;
+    Rim rim = hole_room(s.n);
     double most = 0;
     for (int k = 0; k < s.n; k++) {
         rim.angle[k] = angle_of(&s.site[k]);

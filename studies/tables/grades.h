@@ -13,9 +13,15 @@
 typedef enum Mark { MARK_OK, MARK_WEAK, MARK_LOST, MARKS } Mark;
 extern const char *const grade_mark_names[MARKS]; /* "ok" "weak" "lost" */
 
-/* problems/block.c: wave speed in dt0 [m/s], and its CFL number. */
-#define BLOCK_SPEED 100.0
-#define BLOCK_CFL   0.3
+/* problems/block.c: wave speed in dt0 and that of its P waves in 2D and 3D [m/s], and its CFL
+ * number. */
+#define BLOCK_SPEED   100.0
+#define BLOCK_P_SPEED 116.02387
+#define BLOCK_CFL     0.3
+
+/* problems/free_block.c: c, W11 eq 33 [m/s]; a turn at its spin [s]. */
+#define FREE_C    131.559
+#define FREE_TURN (2 * M_PI * 0.7071 / (0.2 * FREE_C))
 
 /* Begin NAME.grades.csv and NAME.remedies.csv, in tables(). */
 FILE *grades_write(const Results *results);

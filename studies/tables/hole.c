@@ -76,24 +76,33 @@ static bool is_near(const Table *t, int k, int members, int cells)
     return false;
 }
 
+Rim hole_room(int n)
+{
+    Rim rim = {.n = n, .angle = must(malloc(sizeof(double) * 3 * ((size_t)n + 1)))};
+    rim.stress = rim.angle + n;
+    rim.reference = rim.stress + n;
+    return rim;
+}
+
 Rim hole_read(const Table *t, int cells, const HoleReference *r, bool quads)
 {
-    Rim rim = {0};
+    Rim rim;
+    int n = 0;
+    double moved = 0;
     const int members = quads ? 2 : 1;
     Point *p = must(malloc(sizeof *p * ((size_t)t->nrow + 1)));
     for (int k = 0; k + members <= t->nrow; k += members) {
         const double X = mean_of(t, k, members, "X"), Y = mean_of(t, k, members, "Y");
         if (select_number(t, k, "surface") > 0) continue;
-        rim.moved = measure_worse(
-            rim.moved, hypot(mean_of(t, k, members, "x") - X, mean_of(t, k, members, "y") - Y));
+        moved = measure_worse(
+            moved, hypot(mean_of(t, k, members, "x") - X, mean_of(t, k, members, "y") - Y));
         if (!is_near(t, k, members, cells)) continue;
-        p[rim.n++] = (Point){atan2(Y, X) * 180 / M_PI, 1e-9 * mean_of(t, k, members, "von_mises"),
-                             hole_reference_at(r, X, Y)};
+        p[n++] = (Point){atan2(Y, X) * 180 / M_PI, 1e-9 * mean_of(t, k, members, "von_mises"),
+                         hole_reference_at(r, X, Y)};
     }
-    qsort(p, (size_t)rim.n, sizeof *p, by_angle);
-    rim.angle = must(malloc(sizeof(double) * 3 * ((size_t)rim.n + 1)));
-    rim.stress = rim.angle + rim.n;
-    rim.reference = rim.stress + rim.n;
+    qsort(p, (size_t)n, sizeof *p, by_angle);
+    rim = hole_room(n);
+    rim.moved = moved;
     for (int k = 0; k < rim.n; k++) {
         rim.angle[k] = p[k].angle;
         rim.stress[k] = p[k].stress;

@@ -34,6 +34,9 @@ typedef struct Rim {
 Rim hole_read(const Table *points, int cells, const HoleReference *r, bool quads);
 void hole_free(Rim *rim);
 
+/* Room for n points, to be filled. */
+Rim hole_room(int n);
+
 double hole_rms(const Rim *rim);     /* of stress less reference */
 double hole_scatter(const Rim *rim); /* rms of that about its mean of seven neighbours in angle */
 
