@@ -21,10 +21,15 @@ typedef struct Part {
 
 enum { KEPT = 8 };
 
+/* A table of a run, by its part's name; what is lost and was asked for all the same is another. */
+typedef struct Kept {
+    char *name;
+    Table *table;
+} Kept;
+
 struct ResultsOwn {
     Part *parts;
-    Table *kept[KEPT]; /* tables of runs; a new one replaces the oldest */
-    int read;          /* how many were */
+    Kept kept[KEPT]; /* tables of runs, in the order of use; a new one replaces the first */
     Table *rows;
     Cases cases;
     int *row; /* [cases.n] the case's row, or -1; NULL: not matched yet */
@@ -111,6 +116,12 @@ const char *results_missing(const Results *r)
     return r->own->missing;
 }
 
+static void free_kept(Kept *k)
+{
+    table_free(k->table);
+    free(k->name);
+}
+
 int results_close(Results *r, Fault *fault)
 {
     struct ResultsOwn *own = r->own;
@@ -125,7 +136,7 @@ int results_close(Results *r, Fault *fault)
     const int code = own->fault.code;
     if (code) fault_set(fault, code, "%s", own->fault.text);
     cases_free(&own->cases);
-    for (int k = 0; k < KEPT; k++) table_free(own->kept[k]);
+    for (int k = 0; k < KEPT; k++) free_kept(&own->kept[k]);
     table_free(own->rows);
     free(own->row);
     free(own);
@@ -231,11 +242,23 @@ char *results_path(const Results *r, const char *part)
     return results_status(r, part)[0] == 'o' ? path_of(r, part, "csv") : NULL;
 }
 
-static const Table *keep(const Results *r, Table *t)
+/* The table of a run, read at its first use; any: though the run was lost. */
+static const Table *keep(const Results *r, const char *part, bool any)
 {
-    Table **place = &r->own->kept[r->own->read++ % KEPT];
-    table_free(*place);
-    return *place = t ? t : no_table();
+    Kept *kept = r->own->kept;
+    char *name = must_text("%d %s", any, part);
+    int at = KEPT - 1;
+    while (at > 0 && !(kept[at].name && strcmp(kept[at].name, name) == 0)) at--;
+    Kept one = kept[at];
+    if (!one.name || strcmp(one.name, name) != 0) {
+        Table *t = any ? file_left(r, part) : results_file(r, part);
+        free_kept(&one);
+        one = (Kept){must_text("%s", name), t ? t : no_table()};
+    }
+    free(name);
+    memmove(kept + at, kept + at + 1, sizeof *kept * (size_t)(KEPT - 1 - at));
+    kept[KEPT - 1] = one;
+    return one.table;
 }
 
 /* results_run and results_ended: the part's name, formatted. */
@@ -251,12 +274,12 @@ const Table *results_run(const Results *r, const char *part, ...)
 {
     char text[256];
     PART_NAME(text, part);
-    return keep(r, results_file(r, text));
+    return keep(r, text, false);
 }
 
 const Table *results_ended(const Results *r, const char *part, ...)
 {
     char text[256];
     PART_NAME(text, part);
-    return keep(r, file_left(r, text));
+    return keep(r, text, true);
 }

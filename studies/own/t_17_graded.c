@@ -81,6 +81,7 @@ static double projection_error(const Line1 *g, int method, int field)
         double sum[3] = {0}, load[2] = {0};
         for (int p = 0; p < 2 * g->n; p++) {
             const double m = method == FIT ? 1 : g->half[p], w = m * weight(g, method, i, p);
+            if (w == 0) continue;
             const double r = g->at[p] - g->x[i], slope = field ? 2 * g->at[p] : 1;
             const bool enhanced = method == GE_TENT || method == GE_GIMP;
             const double v = velocity(field, g->at[p]) - (enhanced ? slope * r : 0);

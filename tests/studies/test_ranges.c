@@ -29,6 +29,8 @@ static const char *const keys[] = {
     "periods", "step",    "nu",     "offset_x", "target",    "weight",  "Fyy",     "pixels",
     "fill",    "trigger", "ratio",  "jitter",   "strain",    "Z",       NULL};
 
+enum { MOST_COLUMNS = 64 };
+
 /* How a number of a table changes: times a factor, times 10 to a power of the file's own and to one
  * of the number's own, both between -scatter and scatter; then more is added. */
 typedef struct Change {
@@ -55,12 +57,15 @@ static void change_table(const char *path, const Change *by)
     int name = 0;
     for (const char *p = path; *p; p++) name += *p * (int)(p - path);
     const double factor = by->factor * scattered(by->scatter, name);
+    bool key[MOST_COLUMNS];
+    CU_ASSERT_FATAL(t && t->ncol <= MOST_COLUMNS);
+    for (int c = 0; c < t->ncol; c++) key[c] = is_key(t, t->name[c]);
     for (int row = -1; f && row < t->nrow; row++)
         for (int c = 0; c < t->ncol; c++) {
             double x;
             const int cell = row * t->ncol + c;
             const char *text = row < 0 ? t->name[c] : t->cell[cell];
-            if (row >= 0 && !is_key(t, t->name[c]) && info_number_parse(text, &x) == 0)
+            if (row >= 0 && !key[c] && info_number_parse(text, &x) == 0)
                 fprintf(f, "%.6g", x * factor * scattered(by->scatter, cell) + by->more);
             else
                 table_put_cell(f, text);
