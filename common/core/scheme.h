@@ -31,16 +31,17 @@ enum { LINE_IS_VECTOR = (int)sizeof(Line) <= VECTOR_BYTES };
 
 /* Scratch of one thread for one chunk, on its stack. */
 typedef struct Work {
-    Field x[DIM], b[DIM]; /* positions and half widths [cells], from node 0 */
+    _Alignas(CACHE_LINE) Field x[DIM]; /* positions [cells], from node 0 */
+    Field b[DIM];                      /* half widths [cells] */
     Stencil stencil[DIM];
-    bool on_node; /* a particle lies on a node, and G lacks its slope: on_node.c */
     Payload payload;
     Field T[NMAT];
     Field sums[POINT_SUMS + MAX_PARTS * DIM];
     Field body[DIM];
     Line A[CHUNK]; /* payload by particle */
-    Line B[CHUNK]; /* its slopes per cell, those along axis d in the lanes from FLUX + d DIM on */
+    Line B[CHUNK]; /* its slopes per cell: lanes 4 d on as lanes 0 .. 3 of A, those along axis d */
     NodeList list; /* of general weights, instead of the stencils */
+    bool on_node;  /* a particle lies on a node, and G lacks its slope: on_node.c */
 } Work;
 
 /* Half widths of a chunk along an axis [cells], by a rule that is a constant in each instance. */
@@ -171,14 +172,14 @@ static inline __attribute__((always_inline)) void flush_run(Grid *g, Line sum[9]
         }
 }
 
-/* The slopes along axis d, moved from their lanes to those of momentum. */
+/* The slopes along axis d in the lanes of momentum. */
 static inline __attribute__((always_inline)) Line slope_lanes(const Line b, int d)
 {
     Line s = {0};
     Bits from;
-    for (int l = 0; l < LANES; l++) from[l] = l >= 1 && l <= DIM ? FLUX + d * DIM + l - 1 : LANES;
+    for (int l = 0; l < LANES; l++) from[l] = l >= 1 && l <= DIM ? FOUR * d + l : LANES;
     if (LINE_IS_VECTOR) return SHUFFLE(b, s, from);
-    for (int a = 0; a < DIM; a++) s[1 + a] = b[FLUX + d * DIM + a];
+    for (int a = 0; a < DIM; a++) s[1 + a] = b[FOUR * d + 1 + a];
     return s;
 }
 
@@ -284,17 +285,13 @@ static inline void pack_payload(const Sim *sim, Work *w, bool affine)
             for (int p = 0; p < CHUNK; p++) q->A[1 + a][p] += q->B[d][a][p] * r[p];
     }
     four_lines_from_fields(q->A, w->A);
-    if (affine)
-        for (int p = 0; p < CHUNK; p++)
-            for (int k = 0; k < NMAT; k++) w->B[p][FLUX + k] = sim->dx * q->B[k / DIM][k % DIM][p];
+    for (int d = 0; affine && d < DIM; d++) four_momentum_lanes(q->B[d], sim->dx, w->B, d);
 }
 
 /* Lines to fields, from lane `at` on; from FLUX on per cell to per metre, or cells to metres. */
 static inline void unpack_sums(Work *w, int at, double scale)
 {
-    four_fields_from_lines(w->A, w->sums + at);
-    for (int l = FLUX; l < LANES; l++)
-        for (int p = 0; p < CHUNK; p++) w->sums[at + l][p] *= scale;
+    four_fields_from_lines(w->A, scale, w->sums + at);
 }
 
 #endif
