@@ -6,41 +6,11 @@
 
 #include "scheme.h"
 
-enum {
-    PART_BYTES = VECTOR_BYTES < (int)sizeof(Line) ? VECTOR_BYTES : (int)sizeof(Line),
-    PART_LANES = PART_BYTES / (int)sizeof(double),
-    PARTS = LANES / PART_LANES /* 1, 2, 4 or 8 */
-};
-typedef double Part __attribute__((vector_size(PART_BYTES), may_alias));
-typedef long long PartBits __attribute__((vector_size(PART_BYTES)));
-
 /* Weights of part q of a line for one node on one axis: as axis_weight. */
 static inline __attribute__((always_inline)) Part part_weight(const Stencil s[DIM], int d, int k,
                                                               int p, const int table, const int q)
 {
-    const double S = s[d].table[T_S][k][p], own = s[d].table[table][k][p];
-    const int lo = FLUX + d * DIM - q * PART_LANES, hi = lo + DIM; /* lanes lo .. hi - 1: own */
-    Part w = S - (Part){0};
-    if (hi <= 0 || lo >= PART_LANES) return w;
-#ifdef __clang__ /* knows no shuffle by a vector */
-    for (int l = 0; l < PART_LANES; l++)
-        if (l >= lo && l < hi) w[l] = own;
-    return w;
-#else
-    PartBits pick;
-    for (int l = 0; l < PART_LANES; l++) pick[l] = l >= lo && l < hi ? PART_LANES + l : l;
-    const Part other = own - (Part){0};
-    return __builtin_shuffle(w, other, pick);
-#endif
-}
-
-/* Part q of the slopes along axis d, in the lanes of momentum, all within the first four. */
-static inline __attribute__((always_inline)) Part part_slope(const double *line, int d, const int q)
-{
-    Part s = {0};
-    if (PART_LANES <= (int)FOUR) return *(const Part *)(line + FOUR * d + q * PART_LANES);
-    for (int l = 0; l < FOUR; l++) s[l % PART_LANES] = line[FOUR * d + l];
-    return s;
+    return weight_part(s[d].table[T_S][k][p], s[d].table[table][k][p], d, q);
 }
 
 static inline __attribute__((always_inline)) const Part *part_at(const Line *line, const int q)
@@ -101,15 +71,15 @@ static inline __attribute__((always_inline)) void deposit_part(Line *first, cons
     const bool slopes = affine && q * PART_LANES <= DIM;
     const Three x = three_weights(w->stencil, 0, p, width, T_G, q);
     const Three y = three_weights(w->stencil, AXIS_Y, p, width, T_G, q);
-    const double *B = (const double *)&w->B[p];
+    const Line *B = &w->B[p];
     Part *to = (Part *)first + q, value = *part_at(&w->A[p], q), s0 = {0}, s1 = {0}, s2 = {0};
-    if (slopes) s0 = part_slope(B, 0, q), s1 = part_slope(B, AXIS_Y, q);
+    if (slopes) s0 = slope_part(B, 0, q), s1 = slope_part(B, AXIS_Y, q);
     if (DIM < 3) {
         add_plane(to, width, by.row, x, y, value, s0, s1, slopes);
         return;
     }
     const Three z = three_weights(w->stencil, AXIS_LAST, p, width, T_G, q);
-    if (slopes) s2 = part_slope(B, AXIS_LAST, q);
+    if (slopes) s2 = slope_part(B, AXIS_LAST, q);
     add_plane(to, width, by.row, x, y, value * z.lo, s0 * z.lo, s1 * z.lo, slopes);
     value += s2;
     add_plane(to + by.plane, width, by.row, x, y, value * z.mid, s0 * z.mid, s1 * z.mid, slopes);

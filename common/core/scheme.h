@@ -8,26 +8,9 @@
 #define MPMLAB_SCHEME_H
 
 #include <math.h>
-#include "common/contract/four.h"
+#include "lanes.h"
 #include "sim.h"
 #include "stretch.h"
-
-/* The widest vectors of this build. A line that fits into one is assembled by a shuffle; wider ones
- * by products with zeros and ones, since the compiler would shuffle them lane by lane. */
-#if defined(__AVX512F__)
-enum { VECTOR_BYTES = 64, REGISTERS = 16 }; /* for sums; the other half holds operands */
-#elif defined(__AVX__)
-enum { VECTOR_BYTES = 32, REGISTERS = 4 };
-#else
-enum { VECTOR_BYTES = 16, REGISTERS = 4 };
-#endif
-#ifdef __clang__ /* knows no shuffle by a vector */
-enum { LINE_IS_VECTOR = 0 };
-#define SHUFFLE(a, b, from) ((void)(b), (a))
-#else
-enum { LINE_IS_VECTOR = (int)sizeof(Line) <= VECTOR_BYTES };
-#define SHUFFLE(a, b, from) __builtin_shuffle(a, b, from)
-#endif
 
 /* Scratch of one thread for one chunk, on its stack. */
 typedef struct Work {
@@ -90,10 +73,8 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
 }
 
 /* Which table each lane takes on each axis: e[d][t] is 1 in the lanes that take table t, else 0. */
-typedef long long Bits __attribute__((vector_size(LANES * sizeof(double))));
 typedef struct Pattern {
     Line e[DIM][TABLES];
-    Bits pick[DIM];
 } Pattern;
 
 /* The usual one: S everywhere, but in the lanes FLUX + b DIM + a the given table on axis b. (Asking
@@ -102,11 +83,9 @@ static inline Pattern flux_pattern(int table)
 {
     Pattern q;
     for (int d = 0; d < DIM; d++) {
-        for (int l = 0; l < LANES; l++) q.pick[d][l] = l;
         for (int t = 0; t < TABLES; t++)
             for (int l = 0; l < LANES; l++) q.e[d][t][l] = t == T_S;
         for (int l = FLUX + d * DIM; l < FLUX + (d + 1) * DIM; l++) {
-            q.pick[d][l] = LANES + l;
             q.e[d][T_S][l] = 0;
             q.e[d][table][l] = 1;
         }
@@ -118,12 +97,13 @@ static inline Pattern flux_pattern(int table)
 static inline __attribute__((always_inline)) Line
 axis_weight(const Stencil s[DIM], int d, int k, int p, const Pattern *q, const unsigned tables)
 {
-    if (LINE_IS_VECTOR && (tables == 1u << T_G || tables == 1u << T_R)) {
-        const int t = tables == 1u << T_G ? T_G : T_R;
-        return SHUFFLE(s[d].table[T_S][k][p] - (Line){0}, s[d].table[t][k][p] - (Line){0},
-                       q->pick[d]);
+    const int own = tables == 1u << T_G ? T_G : T_R;
+    Line w = {0};
+    if (PARTS == 1 && tables == 1u << own) {
+        *(Part *)&w = weight_part(s[d].table[T_S][k][p], s[d].table[own][k][p], d, 0);
+        return w;
     }
-    Line w = s[d].table[T_S][k][p] * q->e[d][T_S];
+    w = s[d].table[T_S][k][p] * q->e[d][T_S];
     for (int t = 1; t < TABLES; t++)
         if (tables >> t & 1) w += s[d].table[t][k][p] * q->e[d][t];
     return w;
@@ -173,13 +153,13 @@ static inline __attribute__((always_inline)) void flush_run(Grid *g, Line sum[9]
 }
 
 /* The slopes along axis d in the lanes of momentum. */
-static inline __attribute__((always_inline)) Line slope_lanes(const Line b, int d)
+static inline __attribute__((always_inline)) Line slope_lanes(const Line *B, int d)
 {
     Line s = {0};
-    Bits from;
-    for (int l = 0; l < LANES; l++) from[l] = l >= 1 && l <= DIM ? FOUR * d + l : LANES;
-    if (LINE_IS_VECTOR) return SHUFFLE(b, s, from);
-    for (int a = 0; a < DIM; a++) s[1 + a] = b[FOUR * d + 1 + a];
+    if (PARTS == 1)
+        *(Part *)&s = slope_part(B, d, 0);
+    else
+        for (int a = 0; a < DIM; a++) s[1 + a] = (*B)[FOUR * d + 1 + a];
     return s;
 }
 
@@ -199,7 +179,7 @@ static inline __attribute__((always_inline)) void deposit(Grid *g, const Work *w
         Line x[MAX_WIDTH];
         const size_t first = first_node(g, w->stencil, p);
         Line s[DIM];
-        for (int d = 0; affine && d < DIM; d++) s[d] = slope_lanes(w->B[p], d);
+        for (int d = 0; affine && d < DIM; d++) s[d] = slope_lanes(&w->B[p], d);
         for (int i = 0; i < width; i++) x[i] = axis_weight(w->stencil, 0, i, p, &q, tables);
         if (runs && first != at) {
             flush_run(g, sum, at, width);
