@@ -27,7 +27,9 @@ enum { LANES = 16 };
 enum {
     NMAT = DIM * DIM,    /* entries of a matrix, row-major: entry (a, b) at a * DIM + b */
     FLUX = LANES - NMAT, /* first lane that is weighted with a gradient */
-    CHUNK = 64           /* particles that one stage handles at a time */
+    CHUNK = 64,          /* particles that one stage handles at a time */
+    CACHE_LINE =
+        64 /* [bytes]: fields of a chunk start on one, so that vectors never straddle two */
 };
 
 /* Axes of arrays of DIM numbers, also where code for more dimensions is compiled for fewer: in 1D

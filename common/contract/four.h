@@ -21,31 +21,43 @@ static inline __attribute__((always_inline)) void four_transpose(Four a[FOUR])
     a[3] = __builtin_shufflevector(hi01, hi23, 2, 3, 6, 7);
 }
 
-/* Fields to their lanes of a chunk's lines, and back; in 3D four by four. */
+/* Fields to their lanes of a chunk's lines, four by four. */
 static inline void four_lines_from_fields(Field field[LANES], Line line[CHUNK])
 {
-    for (int l = 0; DIM == 3 && l < LANES; l += FOUR)
+    for (int l = 0; l < LANES; l += FOUR)
         for (int p = 0; p < CHUNK; p += FOUR) {
             Four a[FOUR];
             for (int k = 0; k < FOUR; k++) a[k] = *(const Four *)&field[l + k][p];
             four_transpose(a);
             for (int k = 0; k < FOUR; k++) *(Four *)((double *)&line[p + k] + l) = a[k];
         }
-    for (int p = 0; DIM < 3 && p < CHUNK; p++)
-        for (int l = 0; l < LANES; l++) line[p][l] = field[l][p];
 }
 
-static inline void four_fields_from_lines(const Line line[CHUNK], Field field[LANES])
+/* And back, the lanes from FLUX on times `scale`. */
+static inline void four_fields_from_lines(const Line line[CHUNK], double scale, Field field[LANES])
 {
-    for (int l = 0; DIM == 3 && l < LANES; l += FOUR)
+    for (int l = 0; l < LANES; l += FOUR)
         for (int p = 0; p < CHUNK; p += FOUR) {
             Four a[FOUR];
             for (int k = 0; k < FOUR; k++) a[k] = *(const Four *)((const double *)&line[p + k] + l);
             four_transpose(a);
-            for (int k = 0; k < FOUR; k++) *(Four *)&field[l + k][p] = a[k];
+            for (int k = 0; k < FOUR; k++) {
+                if (l + k >= FLUX) a[k] *= scale;
+                *(Four *)&field[l + k][p] = a[k];
+            }
         }
-    for (int p = 0; DIM < 3 && p < CHUNK; p++)
-        for (int l = 0; l < LANES; l++) field[l][p] = line[p][l];
+}
+
+/* Three fields at most, and 0 before them, to four lanes of a chunk's lines: the lanes of momentum.
+ */
+static inline void four_momentum_lanes(Field field[DIM], double scale, Line line[CHUNK], int group)
+{
+    for (int p = 0; p < CHUNK; p += FOUR) {
+        Four a[FOUR] = {{0}};
+        for (int k = 0; k < DIM; k++) a[1 + k] = *(const Four *)&field[k][p] * scale;
+        four_transpose(a);
+        for (int k = 0; k < FOUR; k++) ((Four *)&line[p + k])[group] = a[k];
+    }
 }
 
 #endif

@@ -73,9 +73,9 @@ static inline double *own_field(const Chunk *c, int k)
 enum { T_S, T_G, T_R, TABLES }; /* S [-], G = dS/dx_p [1/cell], R = S r [cell] */
 
 typedef struct Stencil {
-    bool on_node;    /* tents: some particle lies on a node of this axis (on_node.c) */
-    int base[CHUNK]; /* first node of each particle's stencil */
+    _Alignas(CACHE_LINE) int base[CHUNK]; /* first node of each particle's stencil */
     Field table[TABLES][MAX_WIDTH];
+    bool on_node; /* tents: some particle lies on a node of this axis (on_node.c) */
 } Stencil;
 
 /* A tent's particle closer to a node than this [cells] lies on it. */
@@ -89,7 +89,7 @@ typedef struct Axis {
 
 /* What a chunk deposits. */
 typedef struct Payload {
-    Field A[LANES];
+    _Alignas(CACHE_LINE) Field A[LANES];
     Field B[DIM][DIM]; /* [axis d][component a]: m L_ad of the momentum lanes, if affine; with
                         * `moments` m L_ad D_d, D_d = sum_i S (x_i - x_p)_d^2 [m^2] as it is now */
 } Payload;
@@ -101,7 +101,7 @@ typedef struct Payload {
  */
 typedef struct NodeList {
     int points, part;
-    long long at[MAX_LIST][CHUNK];
+    _Alignas(CACHE_LINE) long long at[MAX_LIST][CHUNK];
     Field N[MAX_LIST], S[MAX_LIST], G[DIM][MAX_LIST];
     Field v[DIM][MAX_PARTS]; /* [m/s] with `modes`: velocity that a part deposits beyond v_p */
     int cells;               /* per unit length, for an update that asks */

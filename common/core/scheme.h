@@ -8,39 +8,23 @@
 #define MPMLAB_SCHEME_H
 
 #include <math.h>
-#include "common/contract/four.h"
+#include "lanes.h"
 #include "sim.h"
 #include "stretch.h"
 
-/* The widest vectors of this build. A line that fits into one is assembled by a shuffle; wider ones
- * by products with zeros and ones, since the compiler would shuffle them lane by lane. */
-#if defined(__AVX512F__)
-enum { VECTOR_BYTES = 64, REGISTERS = 16 }; /* for sums; the other half holds operands */
-#elif defined(__AVX__)
-enum { VECTOR_BYTES = 32, REGISTERS = 4 };
-#else
-enum { VECTOR_BYTES = 16, REGISTERS = 4 };
-#endif
-#ifdef __clang__ /* knows no shuffle by a vector */
-enum { LINE_IS_VECTOR = 0 };
-#define SHUFFLE(a, b, from) ((void)(b), (a))
-#else
-enum { LINE_IS_VECTOR = (int)sizeof(Line) <= VECTOR_BYTES };
-#define SHUFFLE(a, b, from) __builtin_shuffle(a, b, from)
-#endif
-
 /* Scratch of one thread for one chunk, on its stack. */
 typedef struct Work {
-    Field x[DIM], b[DIM]; /* positions and half widths [cells], from node 0 */
+    _Alignas(CACHE_LINE) Field x[DIM]; /* positions [cells], from node 0 */
+    Field b[DIM];                      /* half widths [cells] */
     Stencil stencil[DIM];
-    bool on_node; /* a particle lies on a node, and G lacks its slope: on_node.c */
     Payload payload;
     Field T[NMAT];
     Field sums[POINT_SUMS + MAX_PARTS * DIM];
     Field body[DIM];
     Line A[CHUNK]; /* payload by particle */
-    Line B[CHUNK]; /* its slopes per cell, those along axis d in the lanes from FLUX + d DIM on */
+    Line B[CHUNK]; /* its slopes per cell: lanes 4 d on as lanes 0 .. 3 of A, those along axis d */
     NodeList list; /* of general weights, instead of the stencils */
+    bool on_node;  /* a particle lies on a node, and G lacks its slope: on_node.c */
 } Work;
 
 /* Half widths of a chunk along an axis [cells], by a rule that is a constant in each instance. */
@@ -89,10 +73,8 @@ static inline int make_stencils(const Sim *sim, const Chunk *c, Work *w)
 }
 
 /* Which table each lane takes on each axis: e[d][t] is 1 in the lanes that take table t, else 0. */
-typedef long long Bits __attribute__((vector_size(LANES * sizeof(double))));
 typedef struct Pattern {
     Line e[DIM][TABLES];
-    Bits pick[DIM];
 } Pattern;
 
 /* The usual one: S everywhere, but in the lanes FLUX + b DIM + a the given table on axis b. (Asking
@@ -101,11 +83,9 @@ static inline Pattern flux_pattern(int table)
 {
     Pattern q;
     for (int d = 0; d < DIM; d++) {
-        for (int l = 0; l < LANES; l++) q.pick[d][l] = l;
         for (int t = 0; t < TABLES; t++)
             for (int l = 0; l < LANES; l++) q.e[d][t][l] = t == T_S;
         for (int l = FLUX + d * DIM; l < FLUX + (d + 1) * DIM; l++) {
-            q.pick[d][l] = LANES + l;
             q.e[d][T_S][l] = 0;
             q.e[d][table][l] = 1;
         }
@@ -117,12 +97,13 @@ static inline Pattern flux_pattern(int table)
 static inline __attribute__((always_inline)) Line
 axis_weight(const Stencil s[DIM], int d, int k, int p, const Pattern *q, const unsigned tables)
 {
-    if (LINE_IS_VECTOR && (tables == 1u << T_G || tables == 1u << T_R)) {
-        const int t = tables == 1u << T_G ? T_G : T_R;
-        return SHUFFLE(s[d].table[T_S][k][p] - (Line){0}, s[d].table[t][k][p] - (Line){0},
-                       q->pick[d]);
+    const int own = tables == 1u << T_G ? T_G : T_R;
+    Line w = {0};
+    if (PARTS == 1 && tables == 1u << own) {
+        *(Part *)&w = weight_part(s[d].table[T_S][k][p], s[d].table[own][k][p], d, 0);
+        return w;
     }
-    Line w = s[d].table[T_S][k][p] * q->e[d][T_S];
+    w = s[d].table[T_S][k][p] * q->e[d][T_S];
     for (int t = 1; t < TABLES; t++)
         if (tables >> t & 1) w += s[d].table[t][k][p] * q->e[d][t];
     return w;
@@ -171,14 +152,14 @@ static inline __attribute__((always_inline)) void flush_run(Grid *g, Line sum[9]
         }
 }
 
-/* The slopes along axis d, moved from their lanes to those of momentum. */
-static inline __attribute__((always_inline)) Line slope_lanes(const Line b, int d)
+/* The slopes along axis d in the lanes of momentum. */
+static inline __attribute__((always_inline)) Line slope_lanes(const Line *B, int d)
 {
     Line s = {0};
-    Bits from;
-    for (int l = 0; l < LANES; l++) from[l] = l >= 1 && l <= DIM ? FLUX + d * DIM + l - 1 : LANES;
-    if (LINE_IS_VECTOR) return SHUFFLE(b, s, from);
-    for (int a = 0; a < DIM; a++) s[1 + a] = b[FLUX + d * DIM + a];
+    if (PARTS == 1)
+        *(Part *)&s = slope_part(B, d, 0);
+    else
+        for (int a = 0; a < DIM; a++) s[1 + a] = (*B)[FOUR * d + 1 + a];
     return s;
 }
 
@@ -198,7 +179,7 @@ static inline __attribute__((always_inline)) void deposit(Grid *g, const Work *w
         Line x[MAX_WIDTH];
         const size_t first = first_node(g, w->stencil, p);
         Line s[DIM];
-        for (int d = 0; affine && d < DIM; d++) s[d] = slope_lanes(w->B[p], d);
+        for (int d = 0; affine && d < DIM; d++) s[d] = slope_lanes(&w->B[p], d);
         for (int i = 0; i < width; i++) x[i] = axis_weight(w->stencil, 0, i, p, &q, tables);
         if (runs && first != at) {
             flush_run(g, sum, at, width);
@@ -284,17 +265,13 @@ static inline void pack_payload(const Sim *sim, Work *w, bool affine)
             for (int p = 0; p < CHUNK; p++) q->A[1 + a][p] += q->B[d][a][p] * r[p];
     }
     four_lines_from_fields(q->A, w->A);
-    if (affine)
-        for (int p = 0; p < CHUNK; p++)
-            for (int k = 0; k < NMAT; k++) w->B[p][FLUX + k] = sim->dx * q->B[k / DIM][k % DIM][p];
+    for (int d = 0; affine && d < DIM; d++) four_momentum_lanes(q->B[d], sim->dx, w->B, d);
 }
 
 /* Lines to fields, from lane `at` on; from FLUX on per cell to per metre, or cells to metres. */
 static inline void unpack_sums(Work *w, int at, double scale)
 {
-    four_fields_from_lines(w->A, w->sums + at);
-    for (int l = FLUX; l < LANES; l++)
-        for (int p = 0; p < CHUNK; p++) w->sums[at + l][p] *= scale;
+    four_fields_from_lines(w->A, scale, w->sums + at);
 }
 
 #endif

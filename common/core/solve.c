@@ -100,19 +100,21 @@ unsigned sim_stops(const Grid *g, int row, int i, double dt)
  * components get v = a = 0, except `stopped` ones (unilateral walls), whose a = -v/dt stops the
  * particles themselves, so that they can leave again. Adds to `impulse` the momentum that this node
  * gives to particles, m (dt (1 - pic) a + pic v), minus what they lose to it, pic p, and minus the
- * internal force. */
-static inline void solve_node(Grid *g, const Motion *m, size_t at, unsigned held, unsigned stopped,
-                              const Vec drive, double impulse[DIM])
+ * internal force. `force`: the node's body force, or NULL. */
+static inline __attribute__((always_inline)) void solve_node(Line *node, const double *force,
+                                                             const Motion *m, unsigned held,
+                                                             unsigned stopped, const Vec drive,
+                                                             double impulse[DIM])
 {
     const double dt = m->dt, scale = m->scale;
-    const Line in = g->node[at];
+    const Line in = *node;
     const double inverse = 1 / in[0];
     Line out = {0};
     for (int a = 0; a < DIM; a++) {
         double f = 0;
         for (int b = 0; b < DIM; b++) f += in[FLUX + b * DIM + a];
         if (!m->early) impulse[a] -= dt * scale * f + m->given.v_share * in[1 + a];
-        if (g->force) f += g->force[at * DIM + (size_t)a];
+        if (force) f += force[a];
         const bool hold = held >> a & 1;
         double acc = hold ? 0 : f * inverse * scale;
         if (stopped >> a & 1) acc = -in[1 + a] * inverse / dt;
@@ -123,7 +125,7 @@ static inline void solve_node(Grid *g, const Motion *m, size_t at, unsigned held
         out[DIM + a] = acc;
         for (int b = 0; b < DIM; b++) out[FLUX + b * DIM + a] = v;
     }
-    g->node[at] = out;
+    *node = out;
 }
 
 /* A node without mass has no motion. The force on it acts on the wall if one holds it. */
@@ -136,20 +138,50 @@ static inline void clear_node(Grid *g, const Motion *m, size_t at, unsigned held
     g->node[at] = (Line){0};
 }
 
-/* Ghost nodes beyond a symmetry line are skipped: mirror_unfold fills them. */
+/* Nodes of a row, *lo up to *hi, without ghosts beyond symmetry lines: mirror_unfold fills them. */
+static void row_span(const Grid *g, int row, int *lo, int *hi)
+{
+    *lo = g->lo[row], *hi = g->hi[row];
+    for (int k = 0; k < g->nmirror; k++) {
+        const Mirror *m = &g->mirror[k];
+        if (m->axis == 0 && m->side < 0 && *lo < m->at) *lo = m->at;
+        if (m->axis == 0 && m->side > 0 && *hi > m->at + 1) *hi = m->at + 1;
+    }
+}
+
+/* A row of which no wall, symmetry or body force knows, and whose masses nobody asks for. */
+static bool solve_free_row(Sim *sim, const Motion *motion, int row)
+{
+    Grid *g = &sim->g;
+    const Motion own = {motion->dt, motion->scale, motion->force, false, motion->given};
+    Line *node = g->node + (size_t)row * (size_t)g->n[0];
+    double impulse[DIM] = {0};
+    int live = 0;
+    if (g->force || g->mass || g->nstop || motion->early || row_hold(g, row)) return false;
+    for (int i = g->lo[row]; i < g->hi[row]; i++)
+        if (g->hold[0][i]) return false;
+    for (int i = g->lo[row]; i < g->hi[row]; i++) {
+        const bool empty = node[i][0] <= sim->mass_cut; /* false for NaN, which must spread */
+        live += !empty;
+        if (empty)
+            node[i] = g->zero;
+        else
+            solve_node(&node[i], NULL, &own, 0, 0, NULL, impulse);
+    }
+    for (int a = 0; a < DIM; a++) g->impulse[row][a] = impulse[a];
+    g->live[row] = live;
+    return true;
+}
+
 static void solve_row(Sim *sim, const Motion *motion, int row)
 {
     Grid *g = &sim->g;
     const size_t start = (size_t)row * (size_t)g->n[0];
     const unsigned held = row_hold(g, row);
-    int lo = g->lo[row], hi = g->hi[row], live = 0;
+    int lo, hi, live = 0;
     Vec drive;
+    row_span(g, row, &lo, &hi);
     row_drive(g, row, drive);
-    for (int k = 0; k < g->nmirror; k++) {
-        const Mirror *m = &g->mirror[k];
-        if (m->axis == 0 && m->side < 0 && lo < m->at) lo = m->at;
-        if (m->axis == 0 && m->side > 0 && hi > m->at + 1) hi = m->at + 1;
-    }
     for (int i = lo; i < hi; i++) {
         const size_t at = start + (size_t)i;
         const double mass = g->node[at][0];
@@ -162,8 +194,8 @@ static void solve_row(Sim *sim, const Motion *motion, int row)
         if (empty)
             clear_node(g, motion, at, fixed | stops, g->impulse[row]);
         else
-            solve_node(g, motion, at, fixed | stops, motion->force ? stops & ~fixed : 0, drive,
-                       g->impulse[row]);
+            solve_node(&g->node[at], g->force ? g->force + at * DIM : NULL, motion, fixed | stops,
+                       motion->force ? stops & ~fixed : 0, drive, g->impulse[row]);
     }
     g->live[row] = live;
 }
@@ -183,7 +215,8 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
     if (sim->method.repair) sim->method.repair(sim, dt * scale);
 #pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
     for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
+        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0) &&
+            !solve_free_row(sim, &motion, row))
             solve_row(sim, &motion, row);
     if (g->nmirror) mirror_unfold(sim, motion.given);
     if (sim->method.wall_images) mirror_wall_images(sim);

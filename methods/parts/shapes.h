@@ -66,20 +66,23 @@ static inline double at_least(double x, double limit)
     return x > limit ? x : limit;
 }
 
-/* b <= 1/2, free of branches: a is r cut off at +-b. */
+/* b <= 1/2, free of branches: a is r cut off at +-b, G+ = (b + a)/2b, G- = -(b - a)/2b, S+ = (b +
+ * a) G+/2 + max(r - a, 0), S- = -(b - a) G-/2 + max(a - r, 0); the rest is the node's between. */
 static inline void gimp_shape_3(const Field x, const Field b, Stencil *out)
 {
     for (int p = 0; p < CHUNK; p++) {
-        double c = floor(x[p] + 0.5), r = x[p] - c;
-        double a = at_most(at_least(r, -b[p]), b[p]), q = 0.25 / b[p];
-        double up = (b[p] + a) * (b[p] + a) * q + at_least(r - a, 0);
-        double down = (b[p] - a) * (b[p] - a) * q + at_least(a - r, 0);
+        const double c = floor(x[p] + 0.5), r = x[p] - c;
+        const double a = at_most(at_least(r, -b[p]), b[p]), q = 0.25 / b[p];
+        const double above = b[p] + a, below = b[p] - a, rest = r - a, beyond = at_least(rest, 0);
+        const double half_up = above * q, half_down = below * q;
+        const double up = above * half_up + beyond, down = below * half_down + (beyond - rest);
+        const double slope_up = half_up + half_up, slope_down = half_down + half_down;
         out->base[p] = (int)c - 1;
         out->table[T_S][0][p] = down, out->table[T_S][1][p] = 1 - up - down,
         out->table[T_S][2][p] = up;
-        out->table[T_G][0][p] = -2 * q * (b[p] - a);
-        out->table[T_G][1][p] = -4 * q * a;
-        out->table[T_G][2][p] = 2 * q * (b[p] + a);
+        out->table[T_G][0][p] = -slope_down;
+        out->table[T_G][1][p] = slope_down - slope_up;
+        out->table[T_G][2][p] = slope_up;
     }
 }
 

@@ -108,18 +108,17 @@ static void deposit(Twin *w, const TwinParticle *p, bool force)
     }
 }
 
-/* The particle behind one symmetry line. */
-static TwinParticle image(const TwinParticle *p, const Wall *wall)
+/* The particle behind one symmetry line; `more` is room for what else it keeps. */
+static TwinParticle image(const TwinParticle *p, const Wall *wall, TwinMore *more)
 {
     TwinParticle q = *p;
     const int n = wall->axis;
+    q.more = p->more ? mirror_more(p->more, wall, more) : NULL;
     q.x[n] = 2 * wall->at - p->x[n];
     q.X[n] = 2 * wall->at - p->X[n];
     q.v[n] = -p->v[n];
-    for (int c = 0; c < TWIN_CORNERS; c++) q.corner[c][n] = 2 * wall->at - p->corner[c][n];
     q.b[n] = -p->b[n];
     q.w[n] = -p->w[n];
-    mirror_modes(&q, n);
     for (int a = 0; a < DIM; a++)
         for (int b = 0; b < DIM; b++)
             if ((a == n) != (b == n)) q.F[a][b] = -p->F[a][b], q.L[a][b] = -p->L[a][b];
@@ -134,7 +133,8 @@ void twin_images(Twin *w, const TwinParticle *p, TwinDeposit *give, bool force, 
         give(w, p, force);
         return;
     }
-    const TwinParticle q = image(p, &scene->wall[k]);
+    TwinMore more;
+    const TwinParticle q = image(p, &scene->wall[k], &more);
     twin_images(w, p, give, force, k + 1);
     twin_images(w, &q, give, force, k + 1);
 }
@@ -217,7 +217,7 @@ static void take_velocity(const Twin *w, TwinParticle *p, double dt, const doubl
 /* CPDI2's corners go with the grid. */
 static void move_corners(const Twin *w, TwinParticle *p, double dt, const Sight s[3])
 {
-    const TwinParticle old = *p;
+    const TwinMore old = *p->more;
     for (int c = 0; c < TWIN_CORNERS; c++) FOR_NODES(s, i)
         {
             double y[DIM], node[DIM];
@@ -227,7 +227,7 @@ static void move_corners(const Twin *w, TwinParticle *p, double dt, const Sight 
                 node[d] = s[d].first + i[d];
             }
             for (int d = 0; d < DIM && at; d++)
-                p->corner[c][d] += dt * corner_tent(y, node) * at->v[d];
+                p->more->corner[c][d] += dt * corner_tent(y, node) * at->v[d];
         }
 }
 

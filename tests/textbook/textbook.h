@@ -7,6 +7,12 @@
 
 #include "common/contract/solver.h"
 
+/* State that few schemes keep: all others would only carry it through their loops. */
+typedef struct TwinMore {
+    double corner[1 << DIM][DIM]; /* [m] of its domain (CPDI2) */
+    double mode[3][3][3][DIM];    /* [m/s] by degree along each axis (PolyPIC) */
+} TwinMore;
+
 typedef struct TwinParticle {
     int id;                        /* placement order */
     double m, V0;                  /* [kg] [m^DIM] */
@@ -15,9 +21,8 @@ typedef struct TwinParticle {
     double u[DIM];                 /* [m] displacement to be made after a re-projection (musl) */
     double b[DIM];                 /* [m/s^2] body force per mass */
     double F[DIM][DIM];            /* [-] */
-    double corner[1 << DIM][DIM];  /* [m] of its domain (CPDI2) */
-    double mode[3][3][3][DIM];     /* [m/s] by degree along each axis (PolyPIC) */
     double L[DIM][DIM];            /* [1/s] grad v of the last gather; or moments [m^2/s] */
+    TwinMore *more;                /* or NULL */
 } TwinParticle;
 
 typedef struct TwinNode {
@@ -57,6 +62,7 @@ typedef struct Twin {
     int order; /* of its filter */
     int n;
     TwinParticle *p;
+    TwinMore *more;                    /* [particles], or NULL */
     double h;                          /* [m] */
     double half;                       /* l0/h of an undeformed particle */
     int origin[DIM], size[DIM];        /* first node index and nodes per axis, ghosts included */

@@ -81,7 +81,9 @@ static void place_one(Twin *w, const Layout *layout, int k)
     const double *X[DIM];
     double u[DIM] = {0}, *at[DIM], *v[DIM], *F[NMAT], *L[NMAT];
     if (!(layout->volume[k] > 0)) return; /* surface particles */
-    *p = (TwinParticle){.id = w->n++, .V0 = layout->volume[k]};
+    *p = (TwinParticle){.id = w->n, .V0 = layout->volume[k]};
+    if (w->more) p->more = &w->more[w->n];
+    w->n++;
     p->m = p->V0 * scene->mat.rho;
     for (int d = 0; d < DIM; d++) {
         p->X[d] = layout->X[d][k];
@@ -102,7 +104,7 @@ static void start_corners(const Twin *w, TwinParticle *p)
         x[a] = place(w, p, a);
         for (int b = 0; b < DIM; b++) F[a][b] = is_total(w) ? a == b : p->F[a][b];
     }
-    place_corners(x, (const double(*)[DIM])F, w->half * w->h, p->corner);
+    place_corners(x, (const double(*)[DIM])F, w->half * w->h, p->more->corner);
 }
 
 /* Value of a method's parameter; `other` if it has none such. */
@@ -160,9 +162,12 @@ Twin *twin_new(const Setup *setup)
                                 setup->fitted, NULL);
     w->p = calloc((size_t)layout.n + 1, sizeof *w->p);
     w->node = calloc((size_t)w->nodes, sizeof *w->node);
-    const bool good = !bad && w->p && w->node && (!w->method.cells || twin_make_fits(w));
+    const bool keeps = w->method.modes || w->method.shape == TWIN_CPDI2;
+    if (keeps) w->more = calloc((size_t)layout.n + 1, sizeof *w->more);
+    const bool good =
+        !bad && w->p && w->node && (!keeps || w->more) && (!w->method.cells || twin_make_fits(w));
     for (int k = 0; k < layout.n && good; k++) place_one(w, &layout, k);
-    for (int k = 0; k < w->n && good; k++) start_corners(w, &w->p[k]);
+    for (int k = 0; k < w->n && good && keeps; k++) start_corners(w, &w->p[k]);
     layout_free(&layout);
     if (good) {
         hold_walls(w);
@@ -177,6 +182,7 @@ void twin_free(Twin *w)
 {
     if (!w) return;
     free(w->p);
+    free(w->more);
     free(w->node);
     free(w->fit);
     free(w);

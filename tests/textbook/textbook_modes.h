@@ -45,7 +45,7 @@ static inline double *twin_mode(TwinParticle *p, const int e[3], int a)
 {
     for (int d = 0; d < DIM && e[0] + e[1] + e[2] == 1; d++)
         if (e[d]) return &p->L[a][d];
-    return &p->mode[e[0]][e[1]][e[2]][a];
+    return &p->more->mode[e[0]][e[1]][e[2]][a];
 }
 
 /* What the modes add to v_a at node i. */
@@ -84,13 +84,17 @@ static inline void take_twin_modes(const Twin *w, TwinParticle *p, const Sight s
     }
 }
 
-/* The particle behind a symmetry line across axis n. */
-static inline void mirror_modes(TwinParticle *p, int n)
+/* What a particle behind a symmetry line keeps: `to`. */
+static inline TwinMore *mirror_more(const TwinMore *from, const Wall *wall, TwinMore *to)
 {
+    const int n = wall->axis;
+    *to = *from;
+    for (int c = 0; c < TWIN_CORNERS; c++) to->corner[c][n] = 2 * wall->at - from->corner[c][n];
     FOR_DEGREES(e)
     for (int a = 0; a < DIM; a++)
         if (((e[n] == 1) != (a == n)) && e[0] + e[1] + e[2] == 2)
-            p->mode[e[0]][e[1]][e[2]][a] *= -1;
+            to->mode[e[0]][e[1]][e[2]][a] *= -1;
+    return to;
 }
 
 #endif

@@ -171,8 +171,10 @@ static inline void look_at_corners(const Twin *w, const TwinParticle *p, Sight s
     for (int d = 0; d < DIM; d++) x[d] = place(w, p, d);
     for (int a = 0; a < DIM; a++)
         for (int b = 0; b < DIM; b++) F[a][b] = is_total(w) ? I[a][b] : p->F[a][b];
-    memcpy(corner, p->corner, sizeof corner);
-    if (w->method.shape == TWIN_CPDI)
+    *q = (Corners){0};
+    if (p->more)
+        memcpy(corner, p->more->corner, sizeof corner);
+    else
         place_corners(x, (const double(*)[DIM])F, w->half * w->h, corner);
     for (int d = 0; d < DIM; d++) {
         double lo = INFINITY, hi = -INFINITY;
@@ -196,7 +198,10 @@ static inline void look_around(const Twin *w, const TwinParticle *p, Sight s[3])
         if (w->method.fitted) fit_slopes(w, x, &s[d]);
     }
     if (has_corners(w)) look_at_corners(w, p, s);
-    for (int d = DIM; d < 3; d++) s[d] = (Sight){.count = 1, .S = {1}};
+    for (int d = DIM; d < 3; d++) {
+        s[d].first = 0, s[d].count = 1, s[d].kink = false;
+        s[d].S[0] = 1;
+    }
 }
 
 /* D_p = sum_i S (x_i - x_p)^2 along an axis [m^2]: all of the tensor, since weights are products
@@ -269,13 +274,16 @@ static inline void add_corners(const Corners *q, const double x[DIM], double h, 
 static inline TwinNode *node_of(const Twin *w, const Sight s[3], const int i[3], double *S,
                                 double G[DIM], double x[DIM])
 {
+    for (int d = 0; d < DIM; d++) x[d] = w->h * (s[d].first + i[d]);
+    if (has_corners(w)) {
+        add_corners(&s[0].corners, x, w->h, S, G);
+        return node_at(w, s, i);
+    }
     *S = s[0].S[i[0]] * s[1].S[i[1]] * s[2].S[i[2]];
     for (int d = 0; d < DIM; d++) {
         const int e = (d + 1) % 3, f = (d + 2) % 3;
-        x[d] = w->h * (s[d].first + i[d]);
         G[d] = s[d].kink ? kink_slope(w, s, i, d) : s[d].G[i[d]] * s[e].S[i[e]] * s[f].S[i[f]];
     }
-    if (has_corners(w)) add_corners(&s[0].corners, x, w->h, S, G);
     return node_at(w, s, i);
 }
 
