@@ -91,7 +91,9 @@ static inline __attribute__((always_inline)) void add_run(const Grid *g, Wls *wl
         wls->most[at] = most;
         wls->fit[at][FIT_MOMENTS][M_ONE] += total;
         wls->fit[at][FIT_MOMENTS][M_BETA] += beta;
-        for (int part = 0; part < PARTS; part += 2)
+        add_parts(s, node, from, to, 0, total, wls->fit[at]);
+        if (PARTS > 2) add_parts(s, node, from, to, 2, total, wls->fit[at]);
+        for (int part = 4; part < PARTS; part += 2)
             add_parts(s, node, from, to, part, total, wls->fit[at]);
     }
 }

@@ -5,7 +5,6 @@
  *   curved          the same on a circle through them
  *   exact           where the scene knows it. */
 #include <math.h>
-#include <string.h>
 #include "wls.h"
 
 /* A node this near the surface [cells] lies inside: a body that ends on a wall of the grid fills
@@ -33,26 +32,26 @@ Line *wls_skin_of(Wls *w, size_t at)
     return w->skin[at];
 }
 
-/* What a point with normal n, `away` from a node, gives with S = 1. */
-static inline void fill_skin(const double away[DIM], const double n[DIM], double first[LANES],
-                             double second[LANES])
+/* A point with normal n, `away` from a node, to its sums. */
+static inline void add_to_skin(double S, const double away[DIM], const double n[DIM], Line skin[2])
 {
+    double *first = (double *)&skin[0], *second = (double *)&skin[1];
     int k = K_RR;
-    first[K_ONE] = 1;
-    first[K_ALONG] = 0;
+    first[K_ONE] += S;
     for (int d = 0; d < DIM; d++) {
-        first[K_FIRST + d] = away[d];
-        first[K_NORMAL + d] = n[d];
-        first[K_ALONG] += away[d] * n[d];
-        for (int e = d; e < DIM; e++) second[k++] = away[d] * away[e]; /* pair(d, e) */
-        for (int e = 0; e < DIM; e++) second[K_RN + d * DIM + e] = away[d] * n[e];
+        const double r = S * away[d];
+        first[K_FIRST + d] += r;
+        first[K_NORMAL + d] += S * n[d];
+        first[K_ALONG] += r * n[d];
+        for (int e = d; e < DIM; e++) second[k++] += r * away[e]; /* pair(d, e) */
+        for (int e = 0; e < DIM; e++) second[K_RN + d * DIM + e] += r * n[e];
     }
 }
 
 void wls_skin_point(Sim *sim, const Chunk *c, int p)
 {
     const Grid *g = &sim->g;
-    double n[DIM], away[2][DIM], S[2][DIM], sums[2][LANES] = {{0}};
+    double n[DIM], away[2][DIM], S[2][DIM];
     int base[DIM];
     push_normal(c, p, n);
     for (int d = 0; d < DIM; d++) {
@@ -71,10 +70,7 @@ void wls_skin_point(Sim *sim, const Chunk *c, int p)
             r[d] = away[k >> d & 1][d];
             weight *= S[k >> d & 1][d];
         }
-        Line *skin = wls_skin_of(wls_of(sim), at), line[2];
-        fill_skin(r, n, sums[0], sums[1]);
-        memcpy(line, sums, sizeof line);
-        for (int h = 0; h < 2; h++) skin[h] += weight * line[h];
+        add_to_skin(weight, r, n, wls_skin_of(wls_of(sim), at));
     }
 }
 
