@@ -61,7 +61,7 @@ static void close_side(Polyhedron *p, const Face *f, int next[VERTICES])
         const int v = f->vertex[k], after = f->vertex[(k + 1) % f->sides];
         const int old = p->piece[after], own = p->piece[v];
         if (v >= CORNER && after >= CORNER) next[after] = v;
-        for (int j = 0; j < VERTICES; j++)
+        for (int j = 0; j < VERTICES && old != own; j++)
             if (p->piece[j] == old) p->piece[j] = own;
     }
 }

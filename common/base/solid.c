@@ -31,7 +31,7 @@ static double tetrahedron(const Polyhedron *p, const Face *f, int k, const doubl
     return (t[0][0] * n[0] + t[0][1] * n[1] + t[0][2] * n[2]) / 6;
 }
 
-void solid_measure(const Polyhedron *p, int piece, Solid *out)
+void solid_measure(const Polyhedron *p, int piece, bool second, Solid *out)
 {
     double o[3], t[3][3], sum[3];
     *out = (Solid){0};
@@ -43,7 +43,7 @@ void solid_measure(const Polyhedron *p, int piece, Solid *out)
             for (int a = 0; a < 3; a++) sum[a] = t[0][a] + t[1][a] + t[2][a];
             for (int a = 0; a < 3; a++) {
                 out->centroid[a] += V / 4 * sum[a];
-                for (int b = a; b < 3; b++)
+                for (int b = a; second && b < 3; b++)
                     out->second[tensor_index(a, b)] += V / 20 *
                                                        (sum[a] * sum[b] + t[0][a] * t[0][b] +
                                                         t[1][a] * t[1][b] + t[2][a] * t[2][b]);
@@ -51,7 +51,7 @@ void solid_measure(const Polyhedron *p, int piece, Solid *out)
         }
     for (int a = 0; a < 3 && out->volume > 0; a++) out->centroid[a] /= out->volume;
     for (int a = 0; a < 3; a++)
-        for (int b = a; b < 3; b++)
+        for (int b = a; second && b < 3; b++)
             out->second[tensor_index(a, b)] -= out->volume * out->centroid[a] * out->centroid[b];
     for (int a = 0; a < 3; a++) out->centroid[a] += o[a];
 }

@@ -11,8 +11,8 @@ typedef struct Solid {
     double volume, centroid[3], second[6];
 } Solid;
 
-/* Measures one piece. The centroid is finite if the volume is positive. */
-void solid_measure(const Polyhedron *p, int piece, Solid *out);
+/* Measures one piece; second moments if asked. The centroid is finite if the volume is positive. */
+void solid_measure(const Polyhedron *p, int piece, bool second, Solid *out);
 
 /* The centroid, moved into the cube if a curved surface's piece has it outside; returns the volume.
  */

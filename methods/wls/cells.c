@@ -2,7 +2,6 @@
  *   m_i = sum_q S_iq rho_q V_q,  f_ext,i = sum_q S_iq f_q V_q,  f_int,i = -sum_q sigma_q G_iq V_q
  * (eq 24 lacks the sign and has sigma_i). The value at a point is the mean of the good nodes'
  * linear functions there, weights S. Full cells have one point. */
-#include <math.h>
 #include <string.h>
 #include "wls.h"
 
@@ -55,14 +54,38 @@ static inline bool value_at(const Wls *w, const size_t corner[CORNERS], const do
     return total > 0;
 }
 
+/* The density alone. */
+static inline double density_at(const Wls *w, const size_t corner[CORNERS], const double xi[DIM],
+                                const Shape *shape)
+{
+    double sum = 0, total = 0;
+    for (int k = 0; k < CORNERS; k++) {
+        const Line *fit = w->fit[corner[k]];
+        const double S = w->good[corner[k]] ? shape->S[k] : 0;
+        if (!(S > 0)) continue;
+        double rho = fit[FIT_VALUE][Q_RHO];
+        for (int d = 0; d < DIM && w->linear; d++)
+            rho += (xi[d] - (k >> d & 1)) * fit[FIT_SLOPE + d][Q_RHO];
+        sum += S * rho;
+        total += S;
+    }
+    return total > 0 ? total < 1 || total > 1 ? sum / total : sum : 0;
+}
+
+static inline double cell_volume(const Sim *sim)
+{
+    double V = 1;
+    for (int d = 0; d < DIM; d++) V *= sim->dx;
+    return V;
+}
+
 /* Eqs 22-24 of one point of `volume` [cells]: every corner gets S m - sum_b G_b flux_b. */
 static inline void add_point(Sim *sim, const size_t corner[CORNERS], const Shape *shape,
                              const Line value, double volume)
 {
     Grid *g = &sim->g;
-    double V = volume;
+    const double V = volume * cell_volume(sim);
     Line mass = {0}, flux[DIM] = {{0}};
-    for (int d = 0; d < DIM; d++) V *= sim->dx;
     mass[0] = V * value[Q_RHO];
     for (int s = 1 + DIM; s < FLUX; s++) mass[s] = mass[0];
     for (int b = 0; b < DIM; b++)
@@ -128,13 +151,15 @@ static inline void multiply_full(Wls *w, const size_t corner[CORNERS], const Hal
 static inline void take_point(Sim *sim, const size_t corner[CORNERS], const double xi[DIM],
                               const Shape *shape, double volume, Task task, long *lost)
 {
+    const Wls *w = wls_of(sim);
     Line value;
-    if (!value_at(wls_of(sim), corner, xi, shape, &value))
-        *lost += task == INTEGRATE;
-    else if (task == INTEGRATE)
+    if (task == MULTIPLY)
+        multiply_point(wls_of(sim), corner, xi, shape,
+                       density_at(w, corner, xi, shape) * volume * cell_volume(sim));
+    else if (value_at(w, corner, xi, shape, &value))
         add_point(sim, corner, shape, value, volume);
     else
-        multiply_point(wls_of(sim), corner, xi, shape, value[Q_RHO] * volume * pow(sim->dx, DIM));
+        *lost += 1;
 }
 
 /* A full cell has one point, in the middle; its mass is kept for the products with M. These use the
@@ -154,7 +179,7 @@ static inline void take_full(Sim *sim, const size_t corner[CORNERS], const Middl
     }
     const bool known = value_at(w, corner, centre, &m->shape, &value);
     if (known) add_point(sim, corner, &m->shape, value, 1);
-    if (w->inertia) w->cell_mass[corner[0]] = known ? value[Q_RHO] * pow(sim->dx, DIM) : 0;
+    if (w->inertia) w->cell_mass[corner[0]] = known ? value[Q_RHO] * cell_volume(sim) : 0;
     *lost += !known;
 }
 

@@ -24,14 +24,18 @@ static double invert(double M[DIM + 1][DIM + 1])
 }
 
 /* The moment matrix, `more` times M00 added to its slopes; inverted in place. */
-static bool invert_moments(const Line m, double more, double least, double M[DIM + 1][DIM + 1])
+static bool invert_moments(const Line fit[FIT], double more, double least,
+                           double M[DIM + 1][DIM + 1])
 {
+    const Line m = fit[FIT_MOMENTS];
     const double total = m[M_ONE];
     for (int d = 0; d <= DIM; d++) least *= total;
     M[0][0] = total;
     for (int d = 0; d < DIM; d++) {
-        M[0][1 + d] = M[1 + d][0] = m[M_FIRST + d];
-        for (int e = 0; e < DIM; e++) M[1 + d][1 + e] = m[M_SECOND + pair(d, e)];
+        M[0][1 + d] = M[1 + d][0] = R_RIDES ? fit[FIT_VALUE][Q_R + d] : m[M_FIRST + d];
+        for (int e = 0; e < DIM; e++)
+            M[1 + d][1 + e] = R_RIDES ? fit[FIT_SLOPE + (d < e ? d : e)][Q_R + (d < e ? e : d)]
+                                      : m[M_SECOND + pair(d, e)];
         M[1 + d][1 + d] += more * total;
     }
     return invert(M) > least;
@@ -48,12 +52,12 @@ bool wls_solve(Line fit[FIT], bool near, double hermite, double least)
 {
     double M[DIM + 1][DIM + 1], V[DIM + 1][DIM + 1];
     const double total = fit[FIT_MOMENTS][M_ONE];
-    const bool whole = near && invert_moments(fit[FIT_MOMENTS], 0, least, M);
+    const bool whole = near && invert_moments(fit, 0, least, M);
     if (!whole) {
         fall_back(fit, total);
         return false;
     }
-    if (hermite > 0) invert_moments(fit[FIT_MOMENTS], hermite, least, V);
+    if (hermite > 0) invert_moments(fit, hermite, least, V);
     Line c[DIM + 1];
     for (int k = 0; k <= DIM; k++) {
         c[k] = (Line){0};

@@ -12,6 +12,7 @@ static Parity parity_of(int axis)
     Parity q;
     for (int l = 0; l < LANES; l++) q.moments[l] = q.value[l] = q.skin[0][l] = q.skin[1][l] = 1;
     q.moments[M_FIRST + axis] = q.value[Q_V + axis] = q.value[Q_FORCE + axis] = -1;
+    if (R_RIDES) q.value[Q_R + axis] = -1;
     q.skin[0][K_FIRST + axis] = q.skin[0][K_NORMAL + axis] = -1;
     for (int d = 0; d < DIM; d++) {
         if (d == axis) continue;
@@ -45,8 +46,8 @@ static void fold_pair(Sim *sim, const Mirror *m, size_t ghost, size_t image, int
     for (int d = 0; d < DIM; d++)
         w->fit[image][FIT_SLOPE + d] +=
             (d == m->axis ? -1.0 : 1.0) * q.value * w->fit[ghost][FIT_SLOPE + d];
-    for (int k = 0; k < 2; k++) w->skin[image][k] += q.skin[k] * w->skin[ghost][k];
-    w->skinned[image] |= w->skinned[ghost];
+    for (int k = 0; k < 2 && w->skinned[ghost]; k++)
+        wls_skin_of(w, image)[k] += q.skin[k] * w->skin[ghost][k];
     w->most[image] = w->most[ghost] > w->most[image] ? w->most[ghost] : w->most[image];
 }
 

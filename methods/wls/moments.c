@@ -4,28 +4,11 @@
  * W is the product of quadratic splines (eq 4), three nodes per axis. Every particle counts as a
  * sample whatever it weighs, surface points included. */
 #include <math.h>
-#include "common/core/scheme.h"
-#include "wls.h"
-
-/* Tables of one axis: W, W r, W r^2, tent; for the nodes base, base + 1, base + 2. */
-enum { W_ONE, W_R, W_RR, W_TENT, KERNELS };
-
-typedef struct Kernel {
-    int base[CHUNK];
-    Field off; /* of the particle from the middle node */
-    Field table[KERNELS][3];
-} Kernel;
+#include "kernel.h"
+#include "space.h"
 
 /* Do the sums of a row of nodes fit into the registers? */
 enum { RUNS = 3 * FIT * (int)sizeof(Line) <= (int)REGISTERS * VECTOR_BYTES };
-
-typedef struct Deposit {
-    Kernel kernel[DIM];
-    Field T[NMAT], body[DIM], quantity[LANES];
-    Line A[CHUNK];      /* quantities by particle */
-    Line B[CHUNK][DIM]; /* loads of the slopes besides W r f: W g^2 h L for v */
-    Line x[CHUNK][3];   /* weights of the moments on axis 0 */
-} Deposit;
 
 /* Which table of an axis a lane of the moments takes. */
 static int moment_table(int lane, int axis)
@@ -48,7 +31,7 @@ static MomentPattern moment_pattern(void)
     for (int l = 0; l < LANES; l++) q.one[l] = 1;
     for (int d = 0; d < DIM; d++)
         for (int t = 0; t < KERNELS; t++)
-            for (int l = 0; l < LANES; l++) q.e[d][t][l] = l <= M_BETA && moment_table(l, d) == t;
+            for (int l = 0; l < LANES; l++) q.e[d][t][l] = l < MOMENTS && moment_table(l, d) == t;
     return q;
 }
 
@@ -133,8 +116,9 @@ static void load_quantities(const Sim *sim, const Chunk *c, double t, bool force
     for (int l = Q_FORCE; l < LANES; l++)
         for (int p = 0; p < CHUNK; p++) w->quantity[l][p] = 0;
     if (force) load_forces(sim, c, t, rho, body, w);
-    for (int p = 0; p < CHUNK; p++)
-        for (int l = 0; l < LANES; l++) w->A[p][l] = w->quantity[l][p];
+    for (int d = 0; d < DIM && R_RIDES; d++)
+        for (int p = 0; p < CHUNK; p++) w->quantity[Q_R + d][p] = w->kernel[d].off[p];
+    four_lines_from_fields(w->quantity, w->A);
 }
 
 /* The particle's gradient is a sample of the slopes of v: adds g^2 h^2 |c - L|^2 to the sum of
@@ -147,13 +131,6 @@ static void load_gradients(const Sim *sim, const Chunk *c, double hermite, Depos
             w->B[p][d] = (Line){0};
             for (int a = 0; a < DIM; a++) w->B[p][d][Q_V + a] = scale * c->L[a * DIM + d][p];
         }
-}
-
-static inline size_t first_of(const Grid *g, const Kernel k[DIM], int p)
-{
-    size_t row = 0;
-    for (int d = DIM - 1; d > 0; d--) row = row * (size_t)g->n[d] + (size_t)k[d].base[p];
-    return row * (size_t)g->n[0] + (size_t)k[0].base[p];
 }
 
 static inline __attribute__((always_inline)) Line lanes(const Kernel *k, int node, int p,
@@ -171,20 +148,15 @@ static inline __attribute__((always_inline)) void add_to_row(const Deposit *w, i
 {
     const Kernel *k = w->kernel;
     const Line A = w->A[p];
-    Line y = DIM > 1 ? lanes(&k[AXIS_Y], r % 3, p, q->e[AXIS_Y]) : q->one;
-    double row = DIM > 1 ? k[AXIS_Y].table[W_ONE][r % 3][p] : 1;
-    for (int d = 2; d < DIM; d++) {
-        y *= lanes(&k[d], r / 3, p, q->e[d]);
-        row *= k[d].table[W_ONE][r / 3][p];
-    }
+    const Line y = DIM > 1 ? lanes(&k[AXIS_Y], r, p, q->e[AXIS_Y]) : q->one;
+    const double row = DIM > 1 ? k[AXIS_Y].table[W_ONE][r][p] : 1;
     for (int i = 0; i < 3; i++) {
         const double weight = k[0].table[W_ONE][i][p] * row, before = most[i];
         const Line load = weight * A;
         fit[i][FIT_MOMENTS] += w->x[p][i] * y;
         fit[i][FIT_VALUE] += load;
         fit[i][FIT_SLOPE] += (k[0].off[p] - (i - 1)) * load;
-        for (int d = 1; d < DIM; d++)
-            fit[i][FIT_SLOPE + d] += (k[d].off[p] - ((d == 1 ? r % 3 : r / 3) - 1)) * load;
+        for (int d = 1; d < DIM; d++) fit[i][FIT_SLOPE + d] += (k[d].off[p] - (r - 1)) * load;
         for (int d = 0; d < DIM && hermite; d++)
             if (RUNS)
                 fit[i][FIT_SLOPE + d] += weight * w->B[p][d];
@@ -200,7 +172,7 @@ static inline __attribute__((always_inline)) void scatter_run(const Grid *g, Wls
                                                               const MomentPattern *q, bool hermite)
 {
     const size_t first = first_of(g, w->kernel, from);
-    for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? 3 : 9); r++) {
+    for (int r = 0; r < (DIM == 1 ? 1 : 3); r++) {
         const size_t at = first + row_offset(g, 3, r);
         Line fit[3][FIT] = {{{0}}};
         double most[3] = {0};
@@ -217,7 +189,7 @@ static inline __attribute__((always_inline)) void
 scatter_one(const Grid *g, Wls *wls, const Deposit *w, int p, const MomentPattern *q, bool hermite)
 {
     const size_t first = first_of(g, w->kernel, p);
-    for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? 3 : 9); r++) {
+    for (int r = 0; r < (DIM == 1 ? 1 : 3); r++) {
         const size_t at = first + row_offset(g, 3, r);
         add_to_row(w, p, r, q, hermite, wls->fit + at, wls->most + at);
     }
@@ -231,9 +203,7 @@ static inline __attribute__((always_inline)) void scatter(const Grid *g, Wls *wl
     for (int p = 0; p < CHUNK; p++)
         for (int i = 0; i < 3; i++) w->x[p][i] = lanes(&k[0], i, p, q->e[0]);
     for (int from = 0, to; from < CHUNK; from = to) {
-        bool same = RUNS;
-        for (to = from + 1; to < CHUNK && same; to += same)
-            for (int d = 0; d < DIM; d++) same &= k[d].base[to] == k[d].base[from];
+        for (to = from + 1; RUNS && to < CHUNK && same_nodes(k, to - 1);) to++;
         if (RUNS)
             scatter_run(g, wls, w, from, to, q, hermite);
         else
@@ -249,10 +219,13 @@ static void deposit_chunk(Sim *sim, Wls *wls, int k, double t, bool force, Depos
         make_kernel(c.x[d], sim->g.cells, sim->g.origin[d], wls->centres ? 0.5 : 0, &w->kernel[d]);
     weigh(sim, wls, &c, &w->kernel[0]);
     load_quantities(sim, &c, t, force, !wls->centres, w);
-    if (wls->hermite > 0) {
-        load_gradients(sim, &c, wls->hermite, w);
+    const bool hermite = wls->hermite > 0;
+    if (hermite) load_gradients(sim, &c, wls->hermite, w);
+    if (R_RIDES)
+        scatter_in_space(&sim->g, wls, w, hermite);
+    else if (hermite)
         scatter(&sim->g, wls, w, &q, true);
-    } else
+    else
         scatter(&sim->g, wls, w, &q, false);
     for (int p = 0; sim->surface && p < CHUNK; p++)
         if (c.id[p] >= 0 && !(c.V0[p] > 0)) wls_skin_point(sim, &c, p);
@@ -264,7 +237,6 @@ static void clear_row(const Grid *g, Wls *w, int row)
     const Line zero = g->zero;
     for (size_t at = start + (size_t)g->lo[row]; at < start + (size_t)g->hi[row]; at++) {
         for (int k = 0; k < FIT; k++) w->fit[at][k] = zero;
-        if (w->skinned[at]) w->skin[at][0] = w->skin[at][1] = zero; /* few nodes */
         w->skinned[at] = false;
         w->most[at] = 0;
     }

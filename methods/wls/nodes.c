@@ -107,7 +107,7 @@ static void repair_node(Sim *sim, size_t at, int row, const int index[DIM], doub
     Line *node = &sim->g.node[at];
     const Line before = *node;
     const bool light = !((*node)[0] > sim->mass_cut), used = w->fit[at][FIT_MOMENTS][M_ONE] > 0;
-    const bool repaired = (light && used) || !w->good[at];
+    const bool repaired = light ? used : !w->good[at];
     double v[DIM];
     for (int a = 0; a < DIM; a++) v[a] = w->fit[at][FIT_VALUE][Q_V + a];
     if (repaired) {

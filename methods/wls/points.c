@@ -78,7 +78,7 @@ static int cube_points(const double distance[CORNERS], const Bend *bend, bool ex
     for (int piece = 0; piece < shape.pieces; piece++) {
         double x[MAX_SOLID_POINTS][3];
         Solid solid;
-        solid_measure(&shape, piece, &solid);
+        solid_measure(&shape, piece, exact, &solid);
         if (!(solid.volume > 0)) continue;
         const int own = exact ? solid_points(&shape, piece, &solid, x, weight + n) : 1;
         if (!exact) weight[n] = solid_centre(&solid, x[0]);

@@ -1,7 +1,6 @@
 /* step.c: the stages of WLS in order (W11 section 4), and their workspace. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "methods/parts/shapes.h"
 #include "wls.h"
 
@@ -33,7 +32,6 @@ bool wls_alloc(const Sim *sim, Wls *w)
     w->fit = nodes_of(n, sizeof *w->fit);
     w->skin = nodes_of(n, sizeof *w->skin);
     w->skinned = calloc(n + 1, sizeof *w->skinned);
-    if (w->skin) memset(w->skin, 0, (n + 1) * sizeof *w->skin);
     w->most = nodes_of(n, sizeof *w->most);
     w->good = nodes_of(n, 1);
     w->fallbacks = calloc((size_t)sim->g.rows, sizeof *w->fallbacks);
@@ -56,8 +54,8 @@ bool wls_make(Sim *sim)
     w->inside =
         2 * sim->setup->ppc / (double)CORNERS; /* eq 14: 2 with two particles per axis and cell */
     const double denser = sim->method.surface_per_cell / pow(sim->setup->ppc, 1.0 / DIM);
-    w->surface_beta = denser > 0 ? 1 / denser : 1;
-    for (int d = 2; d < DIM && denser > 0; d++) w->surface_beta /= denser;
+    w->surface_beta = 1;
+    for (int d = 1; d < DIM && denser > 0; d++) w->surface_beta /= denser;
     if (w->corrected || w->sharpened) {
         w->inertia = nodes_of(n, sizeof *w->inertia);
         w->cell_mass = nodes_of(n, sizeof *w->cell_mass);

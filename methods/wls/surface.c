@@ -25,32 +25,52 @@ static void push_normal(const Chunk *c, int p, double n[DIM])
     for (int a = 0; a < DIM && length > 0; a++) n[a] /= sqrt(length);
 }
 
+Line *wls_skin_of(Wls *w, size_t at)
+{
+    if (!w->skinned[at]) w->skin[at][0] = w->skin[at][1] = (Line){0};
+    w->skinned[at] = true;
+    return w->skin[at];
+}
+
+/* A point with normal n, `away` from a node, to its sums. */
+static inline void add_to_skin(double S, const double away[DIM], const double n[DIM], Line skin[2])
+{
+    double *first = (double *)&skin[0], *second = (double *)&skin[1];
+    int k = K_RR;
+    first[K_ONE] += S;
+    for (int d = 0; d < DIM; d++) {
+        const double r = S * away[d];
+        first[K_FIRST + d] += r;
+        first[K_NORMAL + d] += S * n[d];
+        first[K_ALONG] += r * n[d];
+        for (int e = d; e < DIM; e++) second[k++] += r * away[e]; /* pair(d, e) */
+        for (int e = 0; e < DIM; e++) second[K_RN + d * DIM + e] += r * n[e];
+    }
+}
+
 void wls_skin_point(Sim *sim, const Chunk *c, int p)
 {
     const Grid *g = &sim->g;
-    Wls *w = wls_of(sim);
-    double n[DIM], x[DIM];
+    double n[DIM], away[2][DIM], S[2][DIM];
+    int base[DIM];
     push_normal(c, p, n);
-    for (int d = 0; d < DIM; d++) x[d] = c->x[d][p] * g->cells - g->origin[d];
+    for (int d = 0; d < DIM; d++) {
+        const double x = c->x[d][p] * g->cells - g->origin[d], low = floor(x);
+        base[d] = (int)low;
+        for (int far = 0; far < 2; far++) {
+            away[far][d] = x - (low + far);
+            S[far][d] = 1 - fabs(away[far][d]);
+        }
+    }
     for (int k = 0; k < CORNERS; k++) {
-        double S = 1, away[DIM];
+        double weight = 1, r[DIM];
         size_t at = 0;
         for (int d = DIM - 1; d >= 0; d--) {
-            const int node = (int)floor(x[d]) + (k >> d & 1);
-            at = at * (size_t)g->n[d] + (size_t)node;
-            away[d] = x[d] - node;
-            S *= 1 - fabs(away[d]);
+            at = at * (size_t)g->n[d] + (size_t)(base[d] + (k >> d & 1));
+            r[d] = away[k >> d & 1][d];
+            weight *= S[k >> d & 1][d];
         }
-        Line *first = &w->skin[at][0], *second = &w->skin[at][1];
-        w->skinned[at] = true;
-        (*first)[K_ONE] += S;
-        for (int d = 0; d < DIM; d++) {
-            (*first)[K_FIRST + d] += S * away[d];
-            (*first)[K_NORMAL + d] += S * n[d];
-            (*first)[K_ALONG] += S * away[d] * n[d];
-            for (int e = d; e < DIM; e++) (*second)[K_RR + pair(d, e)] += S * away[d] * away[e];
-            for (int e = 0; e < DIM; e++) (*second)[K_RN + d * DIM + e] += S * away[d] * n[e];
-        }
+        add_to_skin(weight, r, n, wls_skin_of(wls_of(sim), at));
     }
 }
 

@@ -1,6 +1,7 @@
 /* wls.h: what the files of the weighted-least-squares methods share (W11 sections 3, 4).
  *
- *   wls/moments.c   particles to moments and loads of every node (eqs 7-9)
+ *   wls/moments.c   particles to moments and loads of every node (eqs 7-9); kernel.h, and in 3D
+ *                   space.h
  *   wls/fold.c      symmetry lines
  *   wls/fit.c       planes from them (eqs 10-12)
  *   wls/condition.c which nodes are spurious (3.5)
@@ -65,8 +66,9 @@ enum { CORNERS = 1 << DIM, PAIRS = DIM * (DIM + 1) / 2, NEIGHBOURS = IN_THIS_DIM
  * ...; after it the coefficients c0, c_0, c_1, ... stand where the loads were. */
 enum { FIT_MOMENTS, FIT_VALUE, FIT_SLOPE, FIT = FIT_SLOPE + DIM };
 
-/* Lanes of the moments: sums of W, W r_d, W r_d r_e (d <= e), and beta times the tent S (eq 13). */
-enum { M_ONE, M_FIRST, M_SECOND = M_FIRST + DIM, M_BETA = M_SECOND + PAIRS };
+/* Lanes of the moments: sums of W, of beta times the tent S (eq 13), of W r_d, W r_d r_e (d <= e).
+ */
+enum { M_ONE, M_BETA, M_FIRST, M_SECOND = M_FIRST + DIM, MOMENTS = M_SECOND + PAIRS };
 
 /* Lanes of the quantities: v, rho, f_ext = rho b, sigma (a <= b). */
 enum {
@@ -76,6 +78,10 @@ enum {
     Q_SIGMA = Q_FORCE + DIM,
     QUANTITIES = Q_SIGMA + PAIRS
 };
+
+/* r has lanes of its own where there is room, in 3D: its sums stand there, and the line of moments
+ * holds those of W and beta alone (space.h). */
+enum { Q_R = LANES - DIM, R_RIDES = (int)Q_R >= (int)QUANTITIES };
 
 /* Lanes of sums over surface points, all times the tent: 1, r_d, n_d, r . n in one line; r_d r_e
  * (d <= e) and r_d n_e in a second. */
@@ -94,7 +100,7 @@ typedef struct Inertia {
     Half factor, product, row;
 } Inertia;
 
-_Static_assert(M_BETA < (int)LANES && QUANTITIES <= (int)LANES && K_ALONG < (int)LANES &&
+_Static_assert((int)MOMENTS <= (int)LANES && QUANTITIES <= (int)LANES && K_ALONG < (int)LANES &&
                    K_RN + NMAT <= (int)LANES && I_V + DIM <= LANES / 2 &&
                    I_FIRST + DIM <= LANES / 2 && Q_V + DIM <= LANES / 2,
                "lanes");
@@ -124,7 +130,7 @@ typedef struct Wls {
     double surface_beta;  /* beta of a surface point: 1, less where they are denser */
     bool centres;         /* planes are those of cells about their middle; cell k: above node k */
     Line (*fit)[FIT];     /* [nodes] */
-    Line (*skin)[2];      /* [nodes] sums over surface points, 0 but where `skinned` */
+    Line (*skin)[2];      /* [nodes] sums over surface points, set where `skinned` */
     bool *skinned;        /* [nodes] */
     Bend *bend;           /* [nodes] or NULL: all surfaces are straight */
     Inertia *inertia;     /* [nodes] of the corrections by the mass matrix, or NULL */
@@ -167,6 +173,9 @@ void wls_count(Sim *sim);
 
 /* Solves for the planes of a node and decides whether it is good; false: it fell back to c0. */
 bool wls_solve_node(Wls *w, size_t at);
+
+/* A node's surface sums, to be added to. */
+Line *wls_skin_of(Wls *w, size_t at);
 
 /* Adds surface point p of a chunk to the surface sums of the 2^DIM nodes of its cell. */
 void wls_skin_point(Sim *sim, const Chunk *c, int p);

@@ -101,7 +101,7 @@ static double volume_of(int mask, double in, double out)
     shape_of(mask, in, out, &p);
     for (int piece = 0; piece < p.pieces; piece++) {
         Solid s;
-        solid_measure(&p, piece, &s);
+        solid_measure(&p, piece, false, &s);
         sum += s.volume;
     }
     return sum;

@@ -23,7 +23,7 @@ static void add_moments(const Polyhedron *p, double sum[MOMENTS])
     for (int m = 0; m < MOMENTS; m++) sum[m] = 0;
     for (int piece = 0; piece < p->pieces; piece++) {
         Solid s;
-        solid_measure(p, piece, &s);
+        solid_measure(p, piece, true, &s);
         CU_ASSERT(s.volume >= 0);
         sum[0] += s.volume;
         for (int a = 0, m = 4; a < 3; a++) {
@@ -42,7 +42,7 @@ static int add_points(const Polyhedron *p, double sum[MOMENTS])
     for (int piece = 0; piece < p->pieces; piece++) {
         double x[MAX_SOLID_POINTS][3], w[MAX_SOLID_POINTS];
         Solid s;
-        solid_measure(p, piece, &s);
+        solid_measure(p, piece, true, &s);
         const int n = solid_points(p, piece, &s, x, w);
         CU_ASSERT_FATAL(n <= MAX_SOLID_POINTS);
         matched += n == 8;
@@ -250,7 +250,7 @@ static double ball_error(int N, bool curved)
         polyhedron_make(d, curved ? (const CurvatureTensor *)K : NULL, &p);
         for (int piece = 0; piece < p.pieces; piece++) {
             Solid s;
-            solid_measure(&p, piece, &s);
+            solid_measure(&p, piece, true, &s);
             volume += s.volume;
         }
     }

@@ -169,7 +169,7 @@ static void surface_errors(int cells, const char *distance, double *error, doubl
             double xi[MAX_POINTS][DIM], weight[MAX_POINTS];
             Bend bend[4];
             if (i < -g->origin[0] || row < -g->origin[1]) continue; /* beyond a symmetry line */
-            if (w->skin[at][0][K_ONE] > 0)
+            if (w->skinned[at] && w->skin[at][0][K_ONE] > 0)
                 *error = fmax(*error, fabs(d[0] - sim_distance(t.sim, index, 0)));
             if (i + 1 >= g->hi[row] || i < g->lo[row + 1] || i + 1 >= g->hi[row + 1]) continue;
             for (int k = 0; k < 4 && w->bend; k++)

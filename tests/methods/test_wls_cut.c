@@ -1,6 +1,8 @@
 /* test_wls_cut.c: GE-WLS at cut surfaces: velocities linear in space reach every node; forces of
- * spurious nodes go, with average=folded, to good nodes and to walls, and nowhere else. In every
- * dimension. */
+ * spurious nodes go, with average=folded, to good nodes and to walls, and nowhere else; distances
+ * from surface points. In every dimension. */
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include "common/core/passes.h"
 #include "methods/wls/wls.h"
@@ -14,13 +16,13 @@ static const char *const askew[] = {"dim=1;offset_x=.3", "dim=2;offset_x=.3;offs
 
 /* v = (1, ..) + B x is exact at every node within reach of a particle, spurious ones included,
  * whatever is corrected. */
-static void check_affine(const char *set)
+static void check_affine(const char *method, const char *set)
 {
     static const double B[3][3] = {{0.7, -0.4, 0.2}, {0.3, 1.1, -0.5}, {0.6, -0.2, 0.9}};
     Rig r;
     char both[192];
     snprintf(both, sizeof both, "layout=radial;%s;%s", askew[DIM - 1], set);
-    CU_ASSERT_FATAL(rig_plan(&r, &block, "ge_wls", CD, both));
+    CU_ASSERT_FATAL(rig_plan(&r, &block, method, CD, both));
     Sim *sim = rig_sim(&r);
     sim_sort(sim);
     const double dx = sim->dx;
@@ -59,7 +61,73 @@ static void test_affine(void)
 {
     static const char *const set[] = {"hermite=0", "hermite=2", "hermite=1000", "hermite=1e6",
                                       "mass=lumped;hermite=1000"};
-    for (int k = 0; k < COUNT(set); k++) check_affine(set[k]);
+    for (int k = 0; k < COUNT(set); k++) check_affine("ge_wls", set[k]);
+    check_affine("wls2", "");
+}
+
+/* The largest error of a distance from curved surfaces, ring or shell [cells], of nodes that know
+ * the curvature. */
+static double distance_error(int cells)
+{
+    const Case c = {DIM, DIM < 3 ? "ring" : "shell", cells, 0, 0, NULL};
+    double error = 0;
+    int seen = 0;
+    Rig r;
+    CU_ASSERT_FATAL(rig_plan(&r, &c, "ge_wls", CD, NULL));
+    Sim *sim = rig_sim(&r);
+    sim_sort(sim);
+    deposit_all(sim, 0, FORCES);
+    const Grid *g = &sim->g;
+    const Wls *w = wls_of(sim);
+    for (int row = 0; row < g->rows; row++)
+        for (int i = g->lo[row]; i < g->hi[row]; i++) {
+            const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
+            int index[DIM];
+            double sign[DIM], bends = 0;
+            wls_index_of(g, row, i, index);
+            for (int k = 0; k < BENDS; k++) bends += fabs(w->bend[at].kappa[k]);
+            if (!(bends > 0) || mirror_image(g, index, sign) != at) continue;
+            error = fmax(error, fabs(w->distance[at] - sim_distance(sim, index, 0)));
+            seen++;
+        }
+    CU_ASSERT(seen > cells);
+    sim_free(sim);
+    return error;
+}
+
+/* Of third order in lengths: .32 h^2 cells in the plane, .31 h^2 in space (h = 1/cells). */
+static void test_curved_distances(void)
+{
+    for (int cells = 8; DIM > 1 && cells <= 24; cells += 8)
+        CU_ASSERT(distance_error(cells) < 0.35 / (cells * cells));
+}
+
+/* The sum over all nodes of what surface points give to beta (W11 eq 13). */
+static double surface_beta(const char *set)
+{
+    double beta = 0;
+    Rig r;
+    CU_ASSERT_FATAL(rig_plan(&r, &block, "wls", CD, set));
+    Sim *sim = rig_sim(&r);
+    sim_sort(sim);
+    wls_deposit(sim, wls_of(sim), 0, false);
+    const Grid *g = &sim->g;
+    for (int row = 0; row < g->rows; row++)
+        for (int i = g->lo[row]; i < g->hi[row]; i++)
+            beta +=
+                wls_of(sim)->fit[(size_t)row * (size_t)g->n[0] + (size_t)i][FIT_MOMENTS][M_BETA];
+    for (int s = 0; s < sim->p.n; s++) beta -= sim->p.field[AT_VOL][s] > 0 ? 2 : 0;
+    sim_free(sim);
+    return beta;
+}
+
+/* It does not depend on how many points a surface has. */
+static void test_surface_density(void)
+{
+    const double usual = surface_beta(NULL);
+    CU_ASSERT(usual > 1);
+    CHECK_CLOSE(surface_beta("surface_per_cell=4"), usual, 1e-11 * usual);
+    CHECK_CLOSE(surface_beta("surface_per_cell=7"), usual, 1e-11 * usual);
 }
 
 /* Random forces on the nodes that pass theirs on; none on the others. Symmetry is not folded yet.
@@ -162,6 +230,8 @@ static void test_folded(void)
 static const TestCase tests[] = {
     {"velocities linear in space", test_affine},
     {"folded forces, given and taken", test_folded},
+    {"distances from curved surfaces", test_curved_distances},
+    {"denser surface points weigh less", test_surface_density},
     {NULL, NULL},
 };
 CHECK_SUITE(tests)

@@ -23,7 +23,7 @@ cases+=("mpm-cd|free_block --method mpm --integrator cd --set steps=40"
     "gimp-1d|free_block --cells 16384 --set dim=1 --set steps=40"
     "fem-elements|ring --method fem --cells 128 --set steps=100"
     "fem-3d|shell --method fem --cells 16 --set steps=60")
-for m in gimp ge_gimp apic; do # in 3D: 28^3 cells of 8; once 2e6 particles
+for m in gimp ge_gimp apic wls wls2 ge_wls; do # in 3D: 28^3 cells of 8; once 2e6 particles
     cases+=("$m-3d|free_block --method $m --cells 28 --set dim=3 --set steps=4")
 done
 cases+=("gimp-3d-2e6|free_block --cells 63 --set dim=3 --set steps=2")
