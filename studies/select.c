@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "common/run/engine.h"
+#include "phrase.h"
 
 enum { MOST_CONDITIONS = 12, WHERE_TEXT = 512, VALUE_TEXT = 80, MOST_NAMES = 256 };
 enum { SETTING = -1, NO_TABLE = -2 }; /* in place of a column */
@@ -221,6 +222,31 @@ int select_all(const Table *t, const char *name, int most, double out[], const c
     return n;
 }
 
+Measure select_max(const Table *t, const char *name, int needs, const char *where, ...)
+{
+    Conditions c;
+    Measure most = measure_max_of(needs);
+    READ_CONDITIONS(&c, t, where);
+    for (int row = -1; (row = next(&c, t, row)) >= 0;)
+        measure_add_max(&most, select_kept(t, row, name));
+    return most;
+}
+
+Measure select_min(const Table *t, const char *name, int needs, const char *where, ...)
+{
+    Conditions c;
+    Measure least = measure_min_of(needs);
+    READ_CONDITIONS(&c, t, where);
+    for (int row = -1; (row = next(&c, t, row)) >= 0;)
+        measure_add_min(&least, select_kept(t, row, name));
+    return least;
+}
+
+double select_last(const Table *t, const char *name)
+{
+    return t->nrow > 0 ? select_number(t, t->nrow - 1, name) : NAN;
+}
+
 Measure select_count_lost(const Table *t, int needs, const char *where)
 {
     Measure lost = measure_sum_of(needs);
@@ -229,11 +255,10 @@ Measure select_count_lost(const Table *t, int needs, const char *where)
     return lost;
 }
 
-bool select_word(const char **rest, char word[WORD_TEXT])
+const char *select_word(const char **rest)
 {
-    *rest += strspn(*rest, " ");
-    const size_t n = strcspn(*rest, " ");
-    snprintf(word, WORD_TEXT, "%.*s", (int)n, *rest);
-    *rest += n;
-    return n > 0;
+    const char *word = *rest + strspn(*rest, " ");
+    const size_t n = strcspn(word, " ");
+    *rest = word + n;
+    return n > 0 ? phrase("%.*s", (int)n, word) : NULL;
 }

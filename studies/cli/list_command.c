@@ -67,8 +67,8 @@ static void list_integrators(void)
 /* A study has no dimension of its own. */
 static void list_studies(void)
 {
-    for (const Study *const *s = studies; *s; s++)
-        printf("study\t%s\t-\t%s: %s\n", (*s)->name, (*s)->figure, (*s)->about);
+    for (const Study *s = studies; s->name; s++)
+        printf("study\t%s\t-\t%s: %s\n", s->name, s->figure, s->about);
 }
 
 static int list(int argc, char **argv, Fault *fault)
@@ -103,7 +103,7 @@ static int refuse_name(const char *name, Fault *fault)
     int n = engine_problem_names(names, 64);
     n += engine_method_names(names + n, 64);
     for (InfoList i = engines[0]->integrators; *i; i++) names[n++] = (*i)->name;
-    for (const Study *const *s = studies; *s && n < 192; s++) names[n++] = (*s)->name;
+    for (const Study *s = studies; s->name && n < 192; s++) names[n++] = s->name;
     const char *meant = name && *name ? study_meant(name) : NULL;
     return option_refuse(fault, "NAME", name ? name : "", "a problem, method, integrator or study",
                          meant ? &meant : names, meant ? 1 : n);

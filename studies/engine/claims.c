@@ -105,32 +105,31 @@ int claims_judge_study(Check *check, const Study *study, const char *dir, Fault 
     Results *r = results_open(study, dir, false);
     check->study = study;
     check->stream = check->notes ? results_write_notes(r) : NULL;
-    study->check(check, r);
+    study->page->check(check, r);
     if (results_missing(r)[0]) fail_all(check, before, results_missing(r));
     const int code = results_close(r, fault);
     if (code) return code;
-    if (check->n - before == study->claims) return 0;
+    if (check->n - before == study->page->claims) return 0;
     return fault_set(fault, FAULT_MACHINE, "study %s: makes %d claims, declares %d", study->name,
-                     check->n - before, study->claims);
+                     check->n - before, study->page->claims);
 }
 
 static void not_run(Check *check, const Study *study, const char *reason)
 {
     const double bounds[] = {NAN, NAN};
-    char id[64];
-    snprintf(id, sizeof id, "%s.not-run", study->figure);
     check->study = study;
-    add(check, id, study->about, NOT_RUN, bounds, measure(NAN, 0, 0), reason);
+    add(check, phrase("%s.not-run", study->figure), study->about, NOT_RUN, bounds,
+        measure(NAN, 0, 0), reason);
 }
 
 int claims_judge_all(Check *check, const char *dir, Fault *fault)
 {
-    for (const Study *const *s = studies; *s; s++) {
+    for (const Study *s = studies; s->name; s++) {
         char reason[128];
-        if (!(*s)->check) continue;
-        if (!sidecar_is_current(*s, dir, reason))
-            not_run(check, *s, reason);
-        else if (claims_judge_study(check, *s, dir, fault))
+        if (!s->page->check) continue;
+        if (!sidecar_is_current(s, dir, reason))
+            not_run(check, s, reason);
+        else if (claims_judge_study(check, s, dir, fault))
             return FAULT_MACHINE;
     }
     return 0;
@@ -183,6 +182,5 @@ int claims_write(const Check *check, const char *dir, Fault *fault)
         table_put_cell(f, statement_of_claim(c->id) ? statement_of_claim(c->id)->text : "");
         putc('\n', f);
     }
-    int code = f ? file_commit(f, path, fault) : FAULT_MACHINE;
-    return code;
+    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }

@@ -7,7 +7,6 @@
  * Where the tail starts: how far the points at which cells are cut lie from the true surface, at
  * the start, when fields are exact. */
 #include <math.h>
-#include <stdlib.h>
 #include "studies/tables/curves.h"
 
 /* The settings that runs change. */
@@ -81,7 +80,7 @@ static void cases(Cases *list, bool quick)
 
 /* Largest distance [m] of any cut point of a file of patches from the ring's radii at the start;
  * NAN if it cannot be read. A point on an edge of a cell has one coordinate on a grid line. */
-static double cut_error(char *path, int n)
+static double cut_error(const char *path, int n)
 {
     FILE *f = path ? fopen(path, "r") : NULL;
     char line[256];
@@ -97,7 +96,6 @@ static double cut_error(char *path, int n)
             measure_worse(most, measure_lesser(fabs(hypot(x, y) - 0.625), fabs(hypot(x, y) - 1.1)));
     }
     if (f) fclose(f);
-    free(path);
     return isinf(most) ? NAN : most;
 }
 
@@ -239,12 +237,4 @@ static void check(Check *c, const Results *r)
     check_failures(c, r->rows);
 }
 
-const Study study_t_01_wls = {
-    .name = "t_01_wls",
-    .figure = "T-1",
-    .about = "WLS on the ring: one reading changed at a time, and where its tail comes from",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 15,
-};
+const StudyPage study_t_01_wls = {.cases = cases, .tables = tables, .check = check, .claims = 15};

@@ -12,7 +12,6 @@
  * loses .14 % instead of .07 %. */
 #include <math.h>
 #include <string.h>
-#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
 #include "studies/tables/pairs.h"
 
@@ -29,13 +28,13 @@ static void cases(Cases *list, bool quick)
 {
     double t_end = (quick ? 1 : 10) * period;
     for (int s = 0; s < SCENES; s++)
-        for (const Info *const *m = scenes[s].engine->methods; *m; m++)
+        EACH_METHOD(m, scenes[s].engine)
             for (int k = 0; k < PAIRS; k++)
-                if (pair_is_run(scenes[s].engine, scenes[s].problem, (*m)->name, pairs[k]))
+                if (pair_is_run(scenes[s].engine, scenes[s].problem, m->name, pairs[k]))
                     case_add(list,
                              "run %s%s --cfl .1 --method %s --integrator %s --t-end %.17g --set "
                              "allow_unstable=1 --set refresh=%d",
-                             scenes[s].problem, scenes[s].settings, (*m)->name, pairs[k].integrator,
+                             scenes[s].problem, scenes[s].settings, m->name, pairs[k].integrator,
                              t_end, pairs[k].refresh);
 }
 
@@ -186,12 +185,5 @@ static void check(Check *c, const Results *r)
     check_plane(c, r);
 }
 
-const Study study_t_05_compatibility = {
-    .name = "t_05_compatibility",
-    .figure = "T-5",
-    .about = "method x integrator x gradient enhancement: ten periods of standing waves, 1D and 2D",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 12,
-};
+const StudyPage study_t_05_compatibility = {
+    .cases = cases, .tables = tables, .check = check, .claims = 12};

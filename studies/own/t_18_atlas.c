@@ -8,7 +8,6 @@
  *   H-12  a block drifts from node to node with its particles on nodes
  *   H-14  a block falls freely */
 #include <math.h>
-#include "studies/tables/curves.h"
 #include "studies/tables/grades.h"
 
 enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5, RUNGS = 6 };
@@ -35,15 +34,14 @@ static const char *part(const char *what, const char *method)
 
 static void add_nodes(Cases *list, bool quick)
 {
-    char m[WORD_TEXT];
     for (int turned = 0; turned < 2; turned++)
-        for (const char *rest = uniform; select_word(&rest, m);)
+        EACH_WORD(m, uniform)
             case_add_with(list, "nodes", part(turned ? "turned" : "stretch", m),
                           "run block --method %s --cells %d --integrator usl --set dim=3 --set "
                           "steps=1 --set allow_unstable=1 --set stretch=%g --set angle=%d --set "
                           "drift_x=%g " OFF,
                           m, INSIDE, STRETCH, turned * 30, DRIFT);
-    for (const char *rest = ripple; select_word(&rest, m);)
+    EACH_WORD(m, ripple)
         case_add_with(list, "history", part("ripple", m),
                       "run block --method %s --cells %d --set dim=3 --set ripple=1e-4 " OFF
                       " --t-end %.17g",
@@ -52,7 +50,6 @@ static void add_nodes(Cases *list, bool quick)
 
 static void cases(Cases *list, bool quick)
 {
-    char m[WORD_TEXT];
     add_nodes(list, quick);
     for (int k = 0; k < 3; k++)
         for (int n = 0; n < RUNGS; n++)
@@ -66,12 +63,12 @@ static void cases(Cases *list, bool quick)
                 rungs[n] * corners[k].scale * BLOCK_SPEED / BLOCK_P_SPEED,
                 EPS + 0.25 - corners[k].beyond, EPS + 0.25 - corners[k].beyond,
                 EPS + 0.25 - corners[k].beyond);
-    for (const char *rest = spun; select_word(&rest, m);)
+    EACH_WORD(m, spun)
         case_add_with(list, "particles", part("spin", m),
                       "run block --method %s --cells %d --t-end %.17g --set dim=3 --set box=4 "
                       "--set spin=1",
                       m, CELLS, 2 * M_PI / BLOCK_SPEED);
-    for (const char *rest = freely; select_word(&rest, m);)
+    EACH_WORD(m, freely)
         case_add_with(list, "history", part("free", m),
                       "run free_block --method %s --cells %d --t-end %.17g --set dim=3 --set box=2 "
                       "--set swing=0 --set drift=0",
@@ -83,12 +80,12 @@ static void cases(Cases *list, bool quick)
                      "--cells %d --set steps=20 --set drift_x=0.8333333333333334 --set "
                      "offset_x=0.25 --set offset_y=0.25 --set offset_z=0.25",
                      ge ? "ge_mpm" : "mpm", integrators[k], CELLS);
-    for (const Info *const *i = engine_3d.methods; *i; i++)
-        for (int k = 0; k < (engine_has_grid(&engine_3d, (*i)->name) ? INTEGRATORS : 1); k++)
+    EACH_METHOD(i, &engine_3d)
+        for (int k = 0; k < (engine_has_grid(&engine_3d, i->name) ? INTEGRATORS : 1); k++)
             case_add(list,
                      "run block --method %s --integrator %s --cells %d --set dim=3 --set "
                      "gravity=1000 " OFF " --set refresh=%d --set allow_unstable=1 --set steps=20",
-                     (*i)->name, integrators[k], CORNER, engine_has_grid(&engine_3d, (*i)->name));
+                     i->name, integrators[k], CORNER, engine_has_grid(&engine_3d, i->name));
 }
 
 /* H-1: the largest force inside over |sigma| and the area of a cell's face. */
@@ -132,7 +129,7 @@ static double growth(const Table *t)
 /* A column at the end over its start; NAN of an empty history. */
 static double left(const Table *t, const char *column)
 {
-    return t->nrow ? select_number(t, t->nrow - 1, column) / select_number(t, 0, column) : NAN;
+    return t->nrow ? select_last(t, column) / select_number(t, 0, column) : NAN;
 }
 
 static void tables(const Results *r)
@@ -141,8 +138,7 @@ static void tables(const Results *r)
     static const char *const what[] = {"stretch", "turned", "ripple", "spin", "free"};
     const char *const methods[] = {uniform, uniform, ripple, spun, freely};
     for (int k = 0; k < 5; k++) {
-        char m[WORD_TEXT];
-        for (const char *rest = methods[k]; select_word(&rest, m);) {
+        EACH_WORD(m, methods[k]) {
             const Table *t = results_run(r, "%s", part(what[k], m));
             const double x = k < 2    ? force(t, k)
                              : k == 2 ? sqrt(left(t, "kinetic"))
@@ -157,8 +153,7 @@ static void tables(const Results *r)
 static Measure extreme(const Table *t, const char *what, const char *methods, bool most)
 {
     Measure out = most ? measure_max_of(0) : measure_min_of(0);
-    char m[WORD_TEXT];
-    while (select_word(&methods, m)) {
+    EACH_WORD(m, methods) {
         const Measure x = select_value(t, "value", "what=%s method=%s", what, m);
         out = most ? measure_max(out, x) : measure_min(out, x);
     }
@@ -187,8 +182,7 @@ static Measure error(const Table *t, const char *where, int from, int to, int ne
 {
     Measure most = measure_max_of(needs);
     for (int k = from; k < to; k++)
-        for (int row = -1;
-             (row = select_next(t, row, "%s integrator=%s", where, integrators[k])) >= 0;)
+        EACH_ROW(row, t, "%s integrator=%s", where, integrators[k])
             measure_add_max(&most, select_kept(t, row, "error_linf"));
     return most;
 }
@@ -246,8 +240,7 @@ static void check(Check *c, const Results *r)
     const Table *t = r->rows;
     const double dt = select_value(t, "dt", "gravity=1000 method=mpm").value;
     int methods = 0;
-    for (const Info *const *i = engine_3d.methods; *i; i++)
-        methods += !(*i)->on_request && engine_has_grid(&engine_3d, (*i)->name);
+    EACH_GRID_METHOD(m, &engine_3d) methods += !m->on_request;
     check_forces(c, results_part(r, "found"));
     check_turns(c, results_part(r, "found"));
     claim_differs(
@@ -278,12 +271,4 @@ static void check(Check *c, const Results *r)
           0.99, 1.01);
 }
 
-const Study study_t_18_atlas = {
-    .name = "t_18_atlas",
-    .figure = "T-18e",
-    .about = "hard cases H-1, H-2, H-5, H-8, H-12 and H-14 in three dimensions",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 16,
-};
+const StudyPage study_t_18_atlas = {.cases = cases, .tables = tables, .check = check, .claims = 16};

@@ -9,8 +9,6 @@
 #include <gsl/gsl_multifit.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-#include "studies/runs/engines.h"
 #include "studies/runs/must.h"
 #include "studies/tables/curves.h"
 #include "studies/tables/hole.h"
@@ -215,12 +213,5 @@ static void check(Check *c, const Results *r)
           measure_ratio(value(t, "rms", "gimp.12"), value(t, "rms", "gimp.8")), 1, 2.5);
 }
 
-const Study study_t_18_cavity = {
-    .name = "t_18_cavity",
-    .figure = "T-18b",
-    .about = "cube with a cavity in 3D: hoop stress on its surface beside fine FEM",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 4 + METHODS,
-};
+const StudyPage study_t_18_cavity = {
+    .cases = cases, .tables = tables, .check = check, .claims = 4 + METHODS};

@@ -28,6 +28,12 @@ const Info *engine_method(const char *name)
     return found;
 }
 
+const char *engine_label(const char *method)
+{
+    const Info *info = engine_method(method);
+    return info ? info->label : method;
+}
+
 int engine_line(const Engine *engine, const char *method)
 {
     int line = 0;

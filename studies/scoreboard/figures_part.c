@@ -138,9 +138,8 @@ void page_figures(const Page *page)
         {.name = "t_03_growth",
          .figure = "T-3b",
          .about = "growth: wall clock of one particle-step against the number of particles"}};
-    for (const Study *const *s = studies; *s; s++) {
-        if (size_of(page, (*s)->name, "csv"))
-            card(page, *s, phrase("build/mpmlab study %s", (*s)->name));
+    for (const Study *s = studies; s->name; s++) {
+        if (size_of(page, s->name, "csv")) card(page, s, phrase("build/mpmlab study %s", s->name));
     }
     for (int k = 0; k < 2; k++)
         if (size_of(page, bench[k].name, "csv")) card(page, &bench[k], "make bench");

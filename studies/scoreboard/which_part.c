@@ -15,12 +15,6 @@ static Table *costs_read(const Page *page, const char *name)
     return table_read_part(page->dir, name, "reach", NULL);
 }
 
-const char *page_method_label(const char *method)
-{
-    const Info *info = engine_method(method);
-    return info ? info->label : method;
-}
-
 static const char *title_of(const char *problem)
 {
     const Info *info = engine_problem(problem);
@@ -42,7 +36,7 @@ static bool has_particles(const Table *t, int row)
 static int cheapest(const Table *t, const char *problem, const char *target, bool particles)
 {
     int best = -1;
-    for (int row = -1; (row = select_next(t, row, "problem=%s target=%s", problem, target)) >= 0;) {
+    EACH_ROW(row, t, "problem=%s target=%s", problem, target) {
         if (select_is(t, row, "how", "never") || has_particles(t, row) != particles) continue;
         const bool firm = is_reached(t, row);
         if (best < 0 || firm > is_reached(t, best) ||
@@ -70,7 +64,7 @@ static void seconds(FILE *f, const Table *t, int row)
 /* "GIMP, fitted, 4 per cell, N = 20" */
 static void options(FILE *f, const Table *t, int row)
 {
-    page_text(f, page_method_label(select_text(t, row, "method")));
+    page_text(f, engine_label(select_text(t, row, "method")));
     fputs("</b> <span class=\"soft\">", f);
     if (has_particles(t, row))
         fprintf(f, "%s, %.2g per cell, %s, ",
@@ -144,7 +138,7 @@ void page_prices(const Page *page, const char *name)
           page->f);
     for (int row = 0; row + TARGETS <= t->nrow; row += TARGETS) {
         page_element(page->f, "<tr><td>", select_text(t, row, "problem"), "</td><td>");
-        page_element(page->f, "", page_method_label(select_text(t, row, "method")), "</td>");
+        page_element(page->f, "", engine_label(select_text(t, row, "method")), "</td>");
         for (int k = 0; k < TARGETS; k++) {
             fputs("<td class=\"n\">", page->f);
             seconds(page->f, t, row + k);

@@ -2,22 +2,11 @@
 #include "curves.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
-
-/* The text that `where` and the arguments behind it make. */
-#define READ_WHERE(text, where)                                                                    \
-    do {                                                                                           \
-        va_list args;                                                                              \
-        va_start(args, where);                                                                     \
-        vsnprintf(text, sizeof text, where, args);                                                 \
-        va_end(args);                                                                              \
-    } while (0)
 
 void curve_pick(Curve *c, const Table *rows, const char *x, const char *y, const char *where, ...)
 {
     char text[512];
-    READ_WHERE(text, where);
+    PHRASE_INTO(text, where);
     c->n = 0;
     for (int row = -1; c->n < CURVE_MAX && (row = select_next(rows, row, "%s", text)) >= 0;
          c->n++) {
@@ -81,7 +70,7 @@ Measure curve_order_in_h(const Table *rows, const char *error, double from, doub
 {
     Curve c;
     char text[512];
-    READ_WHERE(text, where);
+    PHRASE_INTO(text, where);
     curve_pick(&c, rows, "cells", error, "%s", text);
     return measure_times(curve_order(&c, from, to, needs), -1);
 }
@@ -89,9 +78,8 @@ Measure curve_order_in_h(const Table *rows, const char *error, double from, doub
 Measure curve_worst(const Table *t, const char *methods, int each, const char *want,
                     const char *where)
 {
-    char m[WORD_TEXT];
     Measure worst = {0};
-    while (select_word(&methods, m)) {
+    EACH_WORD(m, methods) {
         Curve c;
         curve_pick(&c, t, want, want, "method=%s %s", m, where);
         const Measure most = c.n ? curve_max(&c, each) : measure(NAN, 0, each);

@@ -3,6 +3,7 @@
 #ifndef MPMLAB_CURVES_H
 #define MPMLAB_CURVES_H
 
+#include "studies/runs/engines.h"
 #include "studies/select.h"
 #include "studies/study.h"
 

@@ -99,11 +99,4 @@ static void check(Check *c, const Results *r)
           measure_times(curve_at(&curve, 160), 1 / 0.01), 0.49, 0.53);
 }
 
-const Study study_w07_13_sine_bar = {
-    .name = "w07_13_sine_bar",
-    .figure = "W07-13",
-    .about = "sine bar: convergence in h with and without gradient enhancement, two laws",
-    .cases = cases,
-    .check = check,
-    .claims = 9,
-};
+const StudyPage study_w07_13_sine_bar = {.cases = cases, .check = check, .claims = 9};

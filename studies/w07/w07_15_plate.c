@@ -6,7 +6,6 @@
  * finite strain alone: zero tangential velocity is imposed at fixed nodes on edges that move, which
  * leaves an error of pi A/4 relative to A even with a law that is exactly linear. */
 #include <math.h>
-#include <stdio.h>
 #include "forty_percent.h"
 #include "studies/tables/curves.h"
 
@@ -159,13 +158,4 @@ static void check(Check *c, const Results *r)
           measure_times(curve_at(&curve, 128), 1 / (M_PI * 0.004 / 4)), 0.9, 1.1);
 }
 
-const Study study_w07_15_plate = {
-    .name = "w07_15_plate",
-    .figure = "W07-15",
-    .about =
-        "plate vibration: convergence in h of MPM (uvf), GIMP and GE-GIMP (cd), two amplitudes",
-    .cases = cases,
-    .check = check,
-    .also = "cpdi",
-    .claims = 18,
-};
+const StudyPage study_w07_15_plate = {.cases = cases, .check = check, .claims = 18, .also = "cpdi"};
