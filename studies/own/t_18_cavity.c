@@ -64,8 +64,8 @@ static double hoop_stress(const Table *t, int row)
     return 1e-9 * sum / pow(length(along), 2);
 }
 
-/* The points of a file that lie within `depth` cells of the cavity, of FEM its hexahedra with one
- * such tetrahedron. */
+/* The points of a file that lie within `depth` cells of the cavity; of FEM the hexahedra that have
+ * such a tetrahedron. */
 static Sites sites_read(const Table *t, int n, bool mesh, double depth)
 {
     const int members = mesh ? PIECES : 1;

@@ -3,8 +3,8 @@
  * all the way beside it. N = 32; GIMP's boxes keep their widths, as matter without tension may
  * stretch without end.
  *
- * Energy: external work less what particles stored in tension when they broke, so that K + S - W is
- * what a run should keep. Pictures: particles at t = .02 s. */
+ * Energy: the external work W is reduced by what particles stored in tension when they broke, so
+ * that K + S - W should stay constant. Pictures: particles at t = .02 s. */
 #include <math.h>
 #include "studies/tables/grades.h"
 
@@ -77,8 +77,8 @@ static void check(Check *c, const Results *r)
           of(r, "whole", "drift"), 0, 0.03);
     claim_differs(
         c, "T-19.energy",
-        "Bursting ring, N = 32, GIMP: K + S - W stays, with what breaks booked: largest "
-        "change over the largest K + S",
+        "Bursting ring, N = 32, GIMP: K + S - W is constant if the energy of breaking particles "
+        "counts as work: largest change over the largest K + S",
         of(r, "gimp", "drift"), 0, 0.03, 0.15, 0.35,
         "fragments lose energy, less with smaller steps: .28 at CFL .2, .16 at .05; until "
         "t = .0125 s, while the ring breaks, it is .025");
