@@ -222,24 +222,25 @@ int select_all(const Table *t, const char *name, int most, double out[], const c
     return n;
 }
 
+static Measure extreme(const Table *t, const char *name, const Conditions *c, Measure m,
+                       void (*add)(Measure *, double))
+{
+    for (int row = -1; (row = next(c, t, row)) >= 0;) add(&m, select_kept(t, row, name));
+    return m;
+}
+
 Measure select_max(const Table *t, const char *name, int needs, const char *where, ...)
 {
     Conditions c;
-    Measure most = measure_max_of(needs);
     READ_CONDITIONS(&c, t, where);
-    for (int row = -1; (row = next(&c, t, row)) >= 0;)
-        measure_add_max(&most, select_kept(t, row, name));
-    return most;
+    return extreme(t, name, &c, measure_max_of(needs), measure_add_max);
 }
 
 Measure select_min(const Table *t, const char *name, int needs, const char *where, ...)
 {
     Conditions c;
-    Measure least = measure_min_of(needs);
     READ_CONDITIONS(&c, t, where);
-    for (int row = -1; (row = next(&c, t, row)) >= 0;)
-        measure_add_min(&least, select_kept(t, row, name));
-    return least;
+    return extreme(t, name, &c, measure_min_of(needs), measure_add_min);
 }
 
 double select_last(const Table *t, const char *name)

@@ -151,12 +151,6 @@ const char *claim_group(const Claim *c)
     return on_page && statement_is_published(s) ? s->paper : "own";
 }
 
-/* Where the paper says what the claim tests, as "W07 3, fig 5"; "" if it does not. */
-static void put_source(FILE *f, const Statement *s)
-{
-    table_put_cell(f, s && statement_is_published(s) ? phrase("%s %s", s->paper, s->place) : "");
-}
-
 int claims_write(const Check *check, const char *dir, Fault *fault)
 {
     const char *path = phrase("%s/claims.csv", dir);
@@ -165,10 +159,10 @@ int claims_write(const Check *check, const char *dir, Fault *fault)
         fputs("id,figure,statement,measured,low,high,verdict,reason,source,group,rows,sentence\n",
               f);
     for (const Claim *c = check->list; f && c < check->list + check->n; c++) {
+        const Statement *s = statement_of_claim(c->id);
+        const bool published = s && statement_is_published(s);
         table_put_cell(f, c->id);
-        putc(',', f);
-        table_put_cell(f, c->study->figure);
-        putc(',', f);
+        fprintf(f, ",%s,", c->study->figure);
         table_put_cell(f, c->statement);
         putc(',', f);
         number_cell(f, c->measured);
@@ -177,9 +171,9 @@ int claims_write(const Check *check, const char *dir, Fault *fault)
         fprintf(f, "%s,", claim_verdict_name(c->verdict));
         table_put_cell(f, c->reason);
         putc(',', f);
-        put_source(f, statement_of_claim(c->id));
+        table_put_cell(f, published ? phrase("%s %s", s->paper, s->place) : "");
         fprintf(f, ",%s,%d,", claim_group(c), c->rows);
-        table_put_cell(f, statement_of_claim(c->id) ? statement_of_claim(c->id)->text : "");
+        table_put_cell(f, s ? s->text : "");
         putc('\n', f);
     }
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;

@@ -88,20 +88,12 @@ static void cases(Cases *list, bool quick)
                         shift[o][0], shift[o][1]);
 }
 
-/* The block's Lame constants, as problems/block.c has them. */
-static void material(int dim, double *lambda, double *mu)
-{
-    const double E = 1e4, nu = dim > 1 ? 0.3 : 0;
-    *mu = E / (2 + 2 * nu);
-    *lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
-}
-
 /* Frobenius norm of the Cauchy stress T/J of the stretched block, T = mu (F F^T - 1) + lambda ln J;
  * turning it changes nothing. */
 static double stress(int dim)
 {
-    double lambda, mu;
-    material(dim, &lambda, &mu);
+    const double E = 1e4, nu = dim > 1 ? 0.3 : 0, mu = E / (2 + 2 * nu); /* problems/block.c */
+    const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
     const double along = mu * (STRETCH * STRETCH - 1) + lambda * log(STRETCH);
     const double across = dim > 1 ? lambda * log(STRETCH) : 0;
     return hypot(along, across) / STRETCH;

@@ -26,7 +26,7 @@ static const struct {
 static bool takes(const Engine *e, const Info *method, int variant)
 {
     return engine_has_grid(e, method->name) &&
-           (!variants[variant].param || engine_takes(method, variants[variant].param));
+           (!variants[variant].param || info_param_find(method->params, variants[variant].param));
 }
 
 static const char *part_name(const char *method, int dim, int variant)

@@ -87,11 +87,10 @@ static void cases(Cases *list, bool quick)
 /* A number of GE-WLS without this part. */
 static Measure value_of(const Table *rows, const char *problem, int n, int part, const char *column)
 {
-    char where[256];
-    int end = snprintf(where, sizeof where, "problem=%s method=ge_wls cells=%d", problem, n);
+    const char *where = phrase("problem=%s method=ge_wls cells=%d", problem, n);
     for (int k = 0; k < PARTS; k++)
-        end += snprintf(where + end, sizeof where - (size_t)end, " %s=%s", parts[k].setting,
-                        k == part ? parts[k].without : parts[k].with);
+        where = phrase("%s %s=%s", where, parts[k].setting,
+                       k == part ? parts[k].without : parts[k].with);
     const Measure m = select_value(rows, column, "%s", where);
     return measure_with(m, fabs(m.value));
 }

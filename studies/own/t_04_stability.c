@@ -71,11 +71,6 @@ static void refine(Cases *list, const Table *rows, bool quick)
     free(ladders);
 }
 
-static void tables(const Results *r)
-{
-    stability_tables(r);
-}
-
 /* The least limit over PPC of a pair in 1D. */
 static Measure bar(const Table *worst, const char *what, const char *pair, double A)
 {
@@ -173,4 +168,4 @@ static void check(Check *c, const Results *r)
 }
 
 const StudyPage study_t_04_stability = {
-    .cases = cases, .refine = refine, .tables = tables, .check = check, .claims = 16};
+    .cases = cases, .refine = refine, .tables = stability_tables, .check = check, .claims = 16};

@@ -31,11 +31,6 @@ static void cases(Cases *list, bool quick)
             }
 }
 
-static const char *layout_of(const Table *t, int row)
-{
-    return layouts[select_is(t, row, "problem", "scan")].name;
-}
-
 /* The test that tells spurious nodes. */
 static const char *condition_of(const Table *t, int row)
 {
@@ -53,10 +48,10 @@ static void tables(const Results *r)
         const bool lost = select_is_lost(t, row);
         const double steps = select_number(t, row, "steps");
         fprintf(f, "%s,%s,%g,%s,%g,%.17g,%.17g,%d\n", select_text(t, row, "method"),
-                layout_of(t, row), pow(round(sqrt(select_number(t, row, "ppc"))), 2),
-                condition_of(t, row), select_number(t, row, "trigger"),
-                select_number(t, row, "error_linf"), select_number(t, row, "fallbacks") / steps,
-                lost);
+                layouts[select_is(t, row, "problem", "scan")].name,
+                pow(round(sqrt(select_number(t, row, "ppc"))), 2), condition_of(t, row),
+                select_number(t, row, "trigger"), select_number(t, row, "error_linf"),
+                select_number(t, row, "fallbacks") / steps, lost);
     }
 }
 

@@ -53,11 +53,6 @@ bool engine_has_grid(const Engine *engine, const char *method)
     return engine->weight(method, 0, 0.25, &S, &G) == 0;
 }
 
-bool engine_takes(const Info *info, const char *param)
-{
-    return info_param_find(info->params, param) != NULL;
-}
-
 static int gather(const Info *const *list, const char *names[], int n, int max)
 {
     for (; *list; list++) {

@@ -37,7 +37,4 @@ bool engine_has_problem(const Engine *engine, const char *name);
 /* Does this method have a grid (and particles)? FEM has none. */
 bool engine_has_grid(const Engine *engine, const char *method);
 
-/* Does the method or problem take a parameter of this name? */
-bool engine_takes(const Info *info, const char *param);
-
 #endif

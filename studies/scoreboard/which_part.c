@@ -10,17 +10,6 @@ static const char costs[] = "t_02_work_precision";
 static const char *const targets[] = {"0.01", "0.001", "0.0003", "0.0001"};
 enum { TARGETS = 4 };
 
-static Table *costs_read(const Page *page, const char *name)
-{
-    return table_read_part(page->dir, name, "reach", NULL);
-}
-
-static const char *title_of(const char *problem)
-{
-    const Info *info = engine_problem(problem);
-    return info ? info->about : "";
-}
-
 static bool is_reached(const Table *t, int row)
 {
     return select_is(t, row, "how", "reached") || select_is(t, row, "how", "below");
@@ -86,8 +75,9 @@ static void answer(FILE *f, const Table *t, int row)
 
 static void problem_row(FILE *f, const Table *t, const char *problem)
 {
+    const Info *info = engine_problem(problem);
     page_element(f, "<tr><th>", problem, "<br><span class=\"soft\">");
-    page_element(f, "", title_of(problem), "</span></th>");
+    page_element(f, "", info ? info->about : "", "</span></th>");
     for (int k = 0; k < TARGETS; k++) {
         const int particles = cheapest(t, problem, targets[k], true);
         const int mesh = cheapest(t, problem, targets[k], false);
@@ -102,7 +92,7 @@ static void problem_row(FILE *f, const Table *t, const char *problem)
 
 void page_which(const Page *page)
 {
-    Table *t = costs_read(page, costs);
+    Table *t = table_read_part(page->dir, costs, "reach", NULL);
     const char *last = "";
     if (!t) {
         fprintf(page->f, "<p>Not run yet: <code>build/mpmlab study %s</code></p>\n", costs);
@@ -128,7 +118,7 @@ void page_which(const Page *page)
 
 void page_prices(const Page *page, const char *name)
 {
-    Table *t = costs_read(page, name);
+    Table *t = table_read_part(page->dir, name, "reach", NULL);
     if (!t) return;
     fputs("<details open><summary>Every method at its best: CPU time to reach an error</summary>"
           "<div "

@@ -36,13 +36,12 @@ Measure curve_settles(const Curve *c, double level, int needs)
     return measure_with(curve_max(c, needs), isnan(curve_max(c, needs).value) ? NAN : from);
 }
 
-Measure curve_deviation(const Curve *c, int n, const double printed[][3])
+Measure curve_deviation(const Curve *c, double first, int n, const double printed[], double last)
 {
     Measure worst = measure_max_of(n);
-    for (int k = 0; k < n; k++) {
-        const Measure y = curve_at(c, printed[k][0]);
-        measure_add_max(&worst, fabs(y.value / printed[k][1] - 1) * printed[k][2]);
-    }
+    for (int k = 0; k < n; k++, first *= 2)
+        measure_add_max(&worst,
+                        fabs(curve_at(c, first).value / printed[k] - 1) * (k == n - 1 ? last : 1));
     return worst;
 }
 

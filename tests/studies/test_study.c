@@ -168,8 +168,7 @@ static Table *table_of(const char *text)
 
 static void test_curves(void)
 {
-    static const double printed[][3] = {{1, 8, 1}, {2, 2.5, 0.5}, {4, 1, 10}};
-    static const double absent[][3] = {{1, 8, 1}, {3, 1, 1}};
+    static const double printed[] = {8, 2.5, 1};
     Table *t = table_of("m,x,y\na,1,8.4\na,2,2\nb,2,99\na,4,1\n");
     Curve c;
     curve_pick(&c, t, "x", "y", "m=%s", "a");
@@ -180,9 +179,10 @@ static void test_curves(void)
     CHECK_CLOSE(curve_settles(&c, 2, 3).value, 2, 0);
     CHECK_CLOSE(curve_settles(&c, 10, 3).value, 1, 0);
     CU_ASSERT(isnan(curve_settles(&c, 0.5, 3).value));
-    CHECK_CLOSE(curve_deviation(&c, 3, printed).value, 0.1, 1e-15); /* .05, .2 half, 0 */
-    CU_ASSERT(isnan(curve_deviation(&c, 2, absent).value));
-    CU_ASSERT(curve_deviation(&c, 2, absent).rows == 1);
+    CHECK_CLOSE(curve_deviation(&c, 1, 3, printed, 10).value, 0.2, 1e-15); /* .05, .2, 0 */
+    CHECK_CLOSE(curve_deviation(&c, 1, 2, printed, 0.5).value, 0.1, 1e-15);
+    CU_ASSERT(isnan(curve_deviation(&c, 2, 3, printed, 1).value)); /* none at x = 8 */
+    CU_ASSERT(curve_deviation(&c, 2, 3, printed, 1).rows == 2);
     CHECK_CLOSE(select_value(t, "y", "m=b x=%d", 2).value, 99, 0);
     CU_ASSERT(isnan(select_value(t, "y", "m=c").value) && select_value(t, "y", "m=c").rows == 0);
     table_free(t);
