@@ -11,7 +11,9 @@ enum { MESHES = 4, BAR_MESHES = 3 };
 /* N = 64 is for the methods whose order is judged. */
 static int meshes_of(const char *method)
 {
-    return strcmp(method, "wls2") == 0 || strcmp(method, "fem") == 0 ? MESHES : MESHES - 1;
+    EACH_WORD(m, "wls2 fem")
+        if (strcmp(method, m) == 0) return MESHES;
+    return MESHES - 1;
 }
 
 static void cases(Cases *list, bool quick)
