@@ -1,18 +1,20 @@
 /* impm.c: improved material point method (Sulsky & Gong 2016).
  *
- * The fields of velocity and stress are least-squares planes through the particles: v_i is that at
- * node i, sigma_c that at the middle of cell c, and one point integrates the internal force of a
- * cell, f_i = -sum_c V_c sigma_c G_i(x_c). As sum_i G_i = 0, momentum is kept. Uniform stress makes
- * no force inside, at any place of the particles, and none jumps where they cross cells.
+ * Velocity and stress are least-squares planes fitted to the particles: v_i is the value of a plane
+ * at node i, sigma_c that of a plane at the middle of cell c, where one point integrates the
+ * internal force of the cell: f_i = -sum_c V_c sigma_c G_i(x_c). As sum_i G_i = 0, momentum is
+ * conserved. Uniform stress causes no force inside the body, wherever its particles lie in their
+ * cells, and forces do not jump when particles cross cells.
  *
- * Left open, and read so: weights are quadratic splines, those of WLS (the paper lets the radius
- * be chosen). Masses and body forces are the particles' own, m_i = sum m_p S_ip. Cells that the
- * body fills in part have the share of centres.c. S, from nodes to particles and for m_i, is the
- * quadratic spline folded at walls: with tents nodes of such cells would have forces and no mass.
- * Nodes (cells) with no particle nearer than the trigger weight have a mean, as in W11 3.5: with
- * planes of their own, trigger=0, free surfaces are unstable (ring, 32 cells: lost in four steps).
- * (With 1/4 in the plane a block of one particle per cell is.) So a linear velocity is exact
- * inside, and not at the outermost nodes. */
+ * The paper leaves open, and this file chooses: the weights of the fits are quadratic splines,
+ * those of WLS (the paper leaves their radius to the user). Masses and body forces are sums over
+ * particles, m_i = sum m_p S_ip. V_c of a cell that the body fills in part: centres.c. S, for m_i
+ * and from nodes to particles, is the quadratic spline folded at walls: with tents some nodes of
+ * partly filled cells would receive forces but no mass. Nodes and cells whose largest weight is
+ * below `trigger` take a mean in place of a plane, as in W11 3.5: with planes there, trigger=0,
+ * free surfaces are unstable (ring, 32 cells: lost in four steps), as is in 2D a block with one
+ * particle per cell at trigger 1/4. Therefore a linear velocity is projected exactly inside, but
+ * not at the outermost nodes. */
 #include "methods/wls/params.h"
 
 static const Param params[] = {{"trigger", IN_THIS_DIM(0.25, 0.4, 0.3), 0, 0.5625, "",

@@ -2,8 +2,6 @@
 #define _GNU_SOURCE /* vasprintf */
 #include "phrase.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 /* All phrases, the youngest first. */

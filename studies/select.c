@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "common/run/engine.h"
+#include "phrase.h"
 
 enum { MOST_CONDITIONS = 12, WHERE_TEXT = 512, VALUE_TEXT = 80, MOST_NAMES = 256 };
 enum { SETTING = -1, NO_TABLE = -2 }; /* in place of a column */
@@ -221,6 +222,32 @@ int select_all(const Table *t, const char *name, int most, double out[], const c
     return n;
 }
 
+static Measure extreme(const Table *t, const char *name, const Conditions *c, Measure m,
+                       void (*add)(Measure *, double))
+{
+    for (int row = -1; (row = next(c, t, row)) >= 0;) add(&m, select_kept(t, row, name));
+    return m;
+}
+
+Measure select_max(const Table *t, const char *name, int needs, const char *where, ...)
+{
+    Conditions c;
+    READ_CONDITIONS(&c, t, where);
+    return extreme(t, name, &c, measure_max_of(needs), measure_add_max);
+}
+
+Measure select_min(const Table *t, const char *name, int needs, const char *where, ...)
+{
+    Conditions c;
+    READ_CONDITIONS(&c, t, where);
+    return extreme(t, name, &c, measure_min_of(needs), measure_add_min);
+}
+
+double select_last(const Table *t, const char *name)
+{
+    return t->nrow > 0 ? select_number(t, t->nrow - 1, name) : NAN;
+}
+
 Measure select_count_lost(const Table *t, int needs, const char *where)
 {
     Measure lost = measure_sum_of(needs);
@@ -229,11 +256,10 @@ Measure select_count_lost(const Table *t, int needs, const char *where)
     return lost;
 }
 
-bool select_word(const char **rest, char word[WORD_TEXT])
+const char *select_word(const char **rest)
 {
-    *rest += strspn(*rest, " ");
-    const size_t n = strcspn(*rest, " ");
-    snprintf(word, WORD_TEXT, "%.*s", (int)n, *rest);
-    *rest += n;
-    return n > 0;
+    const char *word = *rest + strspn(*rest, " ");
+    const size_t n = strcspn(word, " ");
+    *rest = word + n;
+    return n > 0 ? phrase("%.*s", (int)n, word) : NULL;
 }

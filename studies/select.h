@@ -19,10 +19,12 @@ const char *select_text(const Table *t, int row, const char *column);
 double select_number(const Table *t, int row, const char *name); /* NAN: empty, or a word */
 bool select_is(const Table *t, int row, const char *column, const char *text);
 
-/* The first row behind `row` that meets `where`, or -1: for (int row = -1; (row = select_next(t,
- * row, "method=%s", m)) >= 0;) */
+/* The first row behind `row` that meets `where`, or -1. EACH_ROW(row, t, where, ...): each such
+ * row.
+ */
 int select_next(const Table *t, int row, const char *where, ...)
     __attribute__((format(printf, 3, 4)));
+#define EACH_ROW(row, t, ...) for (int row = -1; (row = select_next(t, row, __VA_ARGS__)) >= 0;)
 
 /* Does this row meet it? */
 bool select_meets(const Table *t, int row, const char *where, ...)
@@ -47,11 +49,22 @@ Measure select_ended(const Table *t, const char *name, const char *where, ...)
 int select_all(const Table *t, const char *name, int most, double out[], const char *where, ...)
     __attribute__((format(printf, 5, 6)));
 
+/* The largest and the least number of such rows, of `needs` that there must be; NAN if a run was
+ * lost. */
+Measure select_max(const Table *t, const char *name, int needs, const char *where, ...)
+    __attribute__((format(printf, 4, 5)));
+Measure select_min(const Table *t, const char *name, int needs, const char *where, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* The number of the last row; NAN if there is none. */
+double select_last(const Table *t, const char *name);
+
 /* How many runs of such rows were lost, of `needs` that there must be. */
 Measure select_count_lost(const Table *t, int needs, const char *where);
 
-/* Writes the next word of a list: for (const char *rest = "gimp wls"; select_word(&rest, m);) */
-enum { WORD_TEXT = 32 };
-bool select_word(const char **rest, char word[WORD_TEXT]);
+/* The next word of the list that *rest points into, or NULL; it stays. EACH_WORD(m, "gimp wls"):
+ * each word as `const char *m`. */
+const char *select_word(const char **rest);
+#define EACH_WORD(m, words) for (const char *m##_rest = (words), *m; (m = select_word(&m##_rest));)
 
 #endif

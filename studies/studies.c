@@ -1,25 +1,12 @@
 /* studies.c: the list of all studies, from studies.def. */
 #include "study.h"
 
-#define STUDY(room, name) extern const Study study_##name;
+#define STUDY(room, name, figure, about) extern const StudyPage study_##name;
 #include "studies.def"
 #undef STUDY
 
-const Study *const studies[] = {
-#define STUDY(room, name) &study_##name,
+const Study studies[] = {
+#define STUDY(room, name, figure, about) {#name, figure, about, &study_##name, #room, NULL},
 #include "studies.def"
 #undef STUDY
-    NULL};
-
-static const char *const rooms[] = {
-#define STUDY(room, name) #room,
-#include "studies.def"
-#undef STUDY
-};
-
-const char *study_room(const Study *study)
-{
-    for (size_t k = 0; studies[k]; k++)
-        if (studies[k] == study) return rooms[k];
-    return ".";
-}
+    {.name = NULL}};

@@ -1,6 +1,7 @@
-/* study.h: what a study is: const data, a list of runs, and a check that reads the finished table.
- * The engine (run_study.c, journal.c) runs the cases, keeps the journal, writes NAME.csv, .json,
- * .svg, .png; a study page says only what is asked, what is plotted and what is claimed. */
+/* study.h: what a study is: a line in studies.def, and a page: const data, a list of runs, and a
+ * check that reads the finished table. The engine (run_study.c, journal.c) runs the cases, keeps
+ * the journal, writes NAME.csv, .json, .svg, .png; a page says only what is asked and what is
+ * claimed. */
 #ifndef MPMLAB_STUDY_H
 #define MPMLAB_STUDY_H
 
@@ -23,10 +24,8 @@ typedef struct Results {
     struct ResultsOwn *own;
 } Results;
 
-struct Study {
-    const char *name;                        /* NAME.csv, plots/ROOM/NAME.gp */
-    const char *figure;                      /* "W07-5" */
-    const char *about;                       /* one line */
+/* The last line of a page: const StudyPage study_NAME = {.cases = cases, ...}; */
+typedef struct StudyPage {
     void (*cases)(Cases *cases, bool quick); /* or NULL: then tables() writes NAME.csv itself */
     /* Adds the runs that the finished rows ask for, as a bisection does; asked again until it adds
      * none. Rows alone decide, so that a re-run adds the same ones. Or NULL. */
@@ -34,9 +33,17 @@ struct Study {
     /* Writes tables that are not rows of runs (shape functions, points of a figure); or NULL. */
     void (*tables)(const Results *results);
     void (*check)(Check *check, const Results *results); /* or NULL: nothing claimed */
-    int claims;         /* that check() makes, whatever the tables hold */
-    bool timed;         /* it measures time: its cases run one by one, whatever --jobs says */
-    const char *also;   /* methods on request that it runs, too: "cpdi,tlmpm"; or NULL */
+    int claims;       /* that check() makes, whatever the tables hold */
+    bool timed;       /* it measures time: its cases run one by one, whatever --jobs says */
+    const char *also; /* methods on request that it runs, too: "cpdi,tlmpm"; or NULL */
+} StudyPage;
+
+struct Study {
+    const char *name;   /* NAME.csv, plots/ROOM/NAME.gp */
+    const char *figure; /* "W07-5" */
+    const char *about;  /* one line */
+    const StudyPage *page;
+    const char *room;   /* the folder below studies/ and plots/ that holds its files; or NULL */
     const char *script; /* plots/ROOM/SCRIPT.gp, if that is not NAME */
 };
 
@@ -57,17 +64,15 @@ FILE *results_write_notes(const Results *results); /* NAME.var, for gnuplot */
  * study FAIL, and this table has no rows. */
 const Table *results_part(const Results *results, const char *part);
 
-/* The file NAME.PART.csv of a run that reached its end, or NULL; to be freed. results_path: its
- * path, likewise. */
-Table *results_file(const Results *results, const char *part);
-char *results_path(const Results *results, const char *part);
-
-/* The same files as tables that belong to the results and have no rows if there is no file: of a
- * run that reached its end; of any run. They stay until eight others have been read. */
+/* The file NAME.PART.csv of a run that reached its end; of any run. A table that belongs to the
+ * results, without rows if there is no file; it stays until eight others have been read. */
 const Table *results_run(const Results *results, const char *part, ...)
     __attribute__((format(printf, 2, 3)));
 const Table *results_ended(const Results *results, const char *part, ...)
     __attribute__((format(printf, 2, 3)));
+
+/* The path of that file, or NULL: for files that are no tables ("patches"). */
+const char *results_path(const Results *results, const char *part);
 
 /* "ok", "lost" or, of a run that is not in the table, "absent": for a column `status`. */
 const char *results_status(const Results *results, const char *part);
@@ -88,10 +93,6 @@ void claim_note(Check *check, const char *name, double value);
 /* How many cases a study has; 0 if its page is wrong. */
 int study_case_count(const Study *study, bool quick);
 
-extern const Study *const studies[]; /* studies.c, NULL-terminated */
-
-/* The folder below studies/ and plots/ that holds the study's files; "." if it is not registered.
- */
-const char *study_room(const Study *study);
+extern const Study studies[]; /* studies.def; ended by one without a name */
 
 #endif

@@ -17,7 +17,7 @@ static void set_all(RunSpec *spec, const char *list)
     }
 }
 
-RunSpec rig_spec(const Case *c, const char *method, const char *integrator, const char *more)
+RunSpec fixture_spec(const Case *c, const char *method, const char *integrator, const char *more)
 {
     RunSpec spec = {.cells = c->cells, .ppc = c->ppc, .cfl = c->cfl};
     strcpy(spec.problem, c->problem);
@@ -30,22 +30,23 @@ RunSpec rig_spec(const Case *c, const char *method, const char *integrator, cons
     return spec;
 }
 
-bool rig_plan(Rig *r, const Case *c, const char *method, Integrator integrator, const char *more)
+bool fixture_plan(Fixture *r, const Case *c, const char *method, Integrator integrator,
+                  const char *more)
 {
     r->fault = (Fault){0};
-    r->spec = rig_spec(c, method, step_integrators[integrator].name, more);
+    r->spec = fixture_spec(c, method, step_integrators[integrator].name, more);
     if (plan_make(&r->spec, &r->plan, &r->fault)) return false;
     r->dt = r->plan.cfl * r->plan.scene.cell / r->plan.scene.c;
     return true;
 }
 
-void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator integrator,
-               int cells, double ppc)
+void fixture_scene(Fixture *r, const Problem *problem, const Method *method, Integrator integrator,
+                   int cells, double ppc)
 {
     char why[128];
     check_context(DIM, problem->info.name, method->info.name, step_integrators[integrator].name,
                   NULL);
-    *r = (Rig){.plan = {.scene = {.problem = problem, .cell = 1.0 / cells}}};
+    *r = (Fixture){.plan = {.scene = {.problem = problem, .cell = 1.0 / cells}}};
     Plan *plan = &r->plan;
     plan->scene.par = plan->problem_par;
     CU_ASSERT_FATAL(problem->init(&plan->scene, why) == 0);
@@ -66,7 +67,7 @@ void rig_scene(Rig *r, const Problem *problem, const Method *method, Integrator 
     r->dt = problem->cfl * plan->scene.cell / plan->scene.c;
 }
 
-Scene rig_bare_scene(const Problem *problem, const double par[], double cell)
+Scene fixture_bare_scene(const Problem *problem, const double par[], double cell)
 {
     Scene s = {.problem = problem, .par = par, .cell = cell};
     char why[128];
@@ -75,21 +76,21 @@ Scene rig_bare_scene(const Problem *problem, const double par[], double cell)
     return s;
 }
 
-Sim *rig_sim(Rig *r)
+Sim *fixture_sim(Fixture *r)
 {
     Sim *sim = sim_new(&r->plan.setup, &r->fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(sim);
     return sim;
 }
 
-bool rig_steps(const Rig *r, Sim *sim, int from, int to)
+bool fixture_steps(const Fixture *r, Sim *sim, int from, int to)
 {
     for (int k = from; k < to; k++)
         if (sim_step(sim, k * r->dt, r->dt, k == 0).code != OK) return false;
     return true;
 }
 
-double *rig_state(const Sim *sim)
+double *fixture_state(const Sim *sim)
 {
     const Particles *p = &sim->p;
     const size_t count = (size_t)p->count;
@@ -101,7 +102,7 @@ double *rig_state(const Sim *sim)
     return state;
 }
 
-double rig_gap(const double *a, const double *b, int count, int field, int components)
+double fixture_gap(const double *a, const double *b, int count, int field, int components)
 {
     double most = 0;
     for (int k = field * count; k < (field + components) * count; k++)
@@ -109,7 +110,7 @@ double rig_gap(const double *a, const double *b, int count, int field, int compo
     return most;
 }
 
-double rig_size(const double *a, int count, int field, int components)
+double fixture_size(const double *a, int count, int field, int components)
 {
     double most = 0;
     for (int k = field * count; k < (field + components) * count; k++)
@@ -117,13 +118,13 @@ double rig_size(const double *a, int count, int field, int components)
     return most;
 }
 
-double rig_distance(const double *a, const double *b, int count, bool L)
+double fixture_distance(const double *a, const double *b, int count, bool L)
 {
     const int group[][2] = {{AT_X, DIM}, {AT_V, DIM}, {AT_F, NMAT}, {AT_L, NMAT}};
     double most = 0;
     for (int g = 0; g < (L ? 4 : 3); g++) {
-        const double gap = rig_gap(a, b, count, group[g][0], group[g][1]);
-        const double size = rig_size(a, count, group[g][0], group[g][1]);
+        const double gap = fixture_gap(a, b, count, group[g][0], group[g][1]);
+        const double size = fixture_size(a, count, group[g][0], group[g][1]);
         if (gap > 0 || isnan(gap)) most = gap / size <= most ? most : gap / size;
     }
     return most;
@@ -147,7 +148,7 @@ static double pic_of(const Method *m, int k)
     return own.pic;
 }
 
-double rig_pic(const Method *m)
+double fixture_pic(const Method *m)
 {
     return pic_of(m, -1);
 }
@@ -156,7 +157,8 @@ double rig_pic(const Method *m)
 static const Param *share_of(const Method *m)
 {
     for (const Param *p = m->info.params; p && p->name; p++)
-        if (!p->choices && fabs(pic_of(m, (int)(p - m->info.params)) - rig_pic(m)) > 0) return p;
+        if (!p->choices && fabs(pic_of(m, (int)(p - m->info.params)) - fixture_pic(m)) > 0)
+            return p;
     return NULL;
 }
 
@@ -170,7 +172,7 @@ static const Param *variant_of(const Method *m, int k, double *value)
     return p;
 }
 
-bool rig_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT])
+bool fixture_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT])
 {
     double value = 0;
     const Param *p = k ? variant_of(m, k, &value) : NULL;
@@ -181,7 +183,7 @@ bool rig_variant(const Method *m, int k, const char *more, char set[VARIANT_TEXT
     return !k || p;
 }
 
-bool rig_vary(Rig *r, int k)
+bool fixture_vary(Fixture *r, int k)
 {
     const Method *m = r->plan.setup.method;
     double value = 0;
@@ -190,13 +192,13 @@ bool rig_vary(Rig *r, int k)
     return !k || p;
 }
 
-bool rig_valid(const Method *m, Integrator i, bool refresh)
+bool fixture_valid(const Method *m, Integrator i, bool refresh)
 {
     return (m->valid | (refresh ? m->valid_fresh : 0)) >> i & 1;
 }
 
 /* Knuth's 64-bit linear congruence, upper bits. */
-double rig_random(double lo, double hi)
+double fixture_random(double lo, double hi)
 {
     static unsigned long long state = 20070401;
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;

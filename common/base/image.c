@@ -26,8 +26,7 @@ void image_free(Image *image)
     image->grey = NULL;
 }
 
-/* What libnetpbm reports: the first line of the error before it jumps out; its remarks are dropped.
- */
+/* The first line of the error that libnetpbm reported before its jump; warnings are dropped. */
 static char reported[128];
 
 static void keep_error(const char *text)
@@ -98,7 +97,7 @@ static unsigned long add_checksum(unsigned long sum, FILE *f)
     return sum;
 }
 
-/* What stands at a path; 0: nothing. */
+/* The mode of the file at a path; 0: there is none. */
 static mode_t kind_of(const char *path)
 {
     struct stat about;

@@ -73,7 +73,7 @@ bool info_param_is_path(const Param *p)
     return p->choices && strcmp(p->choices, PARAM_PATH) == 0;
 }
 
-/* Characters that part a row's parameters end a name. */
+/* A path must not hold the characters that separate a row's parameters: there they would end it. */
 static int parse_path(const char *text, double *value, char takes[128])
 {
     *value = 0;

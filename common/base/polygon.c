@@ -66,7 +66,7 @@ static void bend_chord(Polygon *p, int at, double kappa)
     *p = q;
 }
 
-/* All that is in, in one piece; with at most one chord it may be bent. */
+/* One piece of all corners inside and all cuts. Its chord, if it has one only, may be bent. */
 static void whole_piece(Polygon *p, const double d[4], const Curved *c, bool one_chord)
 {
     int exit = -1;

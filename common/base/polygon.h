@@ -12,8 +12,8 @@ typedef struct Polygon {
     double x[MAX_SIDES][2]; /* counter-clockwise */
 } Polygon;
 
-/* What is known of a curved boundary at each corner: curvature [1/side], > 0 where the shape is
- * convex, and outward normal; kappa 0: nothing. */
+/* The curved boundary near each corner: its curvature [1/side], > 0 where the shape is convex, 0 if
+ * not known, and its outward normal. */
 typedef struct Curved {
     double kappa[4], normal[4][2];
 } Curved;
@@ -32,8 +32,8 @@ int polygon_pieces(const double distance[4], const Curved *curved, Polygon piece
 /* Area of a polygon, and its centroid if the area is positive. */
 double polygon_area(const Polygon *p, double centroid[2]);
 
-/* Points and weights that integrate quadratic polynomials over it exactly: three a triangle (of a
- * fan from corner 0 if bent: weights may be negative). Returns their number. */
+/* Points and weights that integrate quadratic polynomials over it exactly: three per
+ * triangle (of a fan from corner 0 if bent: weights may be negative). Returns their number. */
 int polygon_points(const Polygon *p, double x[MAX_SQUARE_POINTS][2],
                    double weight[MAX_SQUARE_POINTS]);
 

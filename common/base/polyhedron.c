@@ -1,7 +1,8 @@
 /* polyhedron.c: see polyhedron.h. W11 3.4; Lorensen & Cline 1987, without their table: the six
- * sides of the cube are cut like squares; of the chords that close these polygons each runs from an
- * edge that leaves the shape to one that enters it. Every cut edge lies in two sides, in opposite
- * directions: so the chords, reversed, join to closed loops, the boundaries of the cut faces. */
+ * sides of the cube are cut like squares. Each chord that closes such a polygon runs from an edge
+ * that leaves the shape to one that enters it. Every cut edge belongs to two sides, in opposite
+ * directions. Therefore the chords, reversed, form closed loops, the boundaries of the cut faces.
+ */
 #include <math.h>
 #include <string.h>
 #include "polygon.h"
@@ -54,7 +55,8 @@ static Face *new_face(Polyhedron *p, bool cut)
     return f;
 }
 
-/* Closes a polygon of a side: its vertices belong to one piece; its chords, reversed. */
+/* Closes a polygon of a side: its vertices become one piece, and its chords go to next[], reversed.
+ */
 static void close_side(Polyhedron *p, const Face *f, int next[VERTICES])
 {
     for (int k = 0; k < f->sides; k++) {
@@ -130,9 +132,9 @@ static void spoke(const Polyhedron *p, const Face *f, int k, double u[3])
     for (int a = 0; a < 3; a++) u[a] = p->x[f->vertex[k % f->sides]][a] - f->apex[a];
 }
 
-/* Raises the apex of a cut face from the mean of its vertices onto the curved surface, and on by
- * what the volume between the fan's triangles and the surface, A_t/24 sum_edges e.K.e over each,
- * makes of a pyramid's A/3. */
+/* Raises the apex of a cut face from the mean of its vertices onto the curved surface, and then
+ * further, until the fan encloses as much as the surface: between each triangle and the surface
+ * lies the volume A_t/24 sum_edges e.K.e, and an apex raised by z adds z A/3. */
 static void raise_apex(const Polyhedron *p, Face *f, const CurvatureTensor K)
 {
     double normal[3] = {0}, area = 0, lift = 0, gap = 0;

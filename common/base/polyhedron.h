@@ -1,5 +1,5 @@
-/* polyhedron.h: marching cubes: the part of a unit cube where a distance is positive. The twin of
- * polygon.h; corner k of a cube lies on the far side of axis a if bit a of k is set. */
+/* polyhedron.h: marching cubes: the part of a unit cube where a distance is positive. polygon.h
+ * in three dimensions. Corner k of a cube lies on the far side of axis a if bit a of k is set. */
 #ifndef MPMLAB_POLYHEDRON_H
 #define MPMLAB_POLYHEDRON_H
 

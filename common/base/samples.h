@@ -1,4 +1,4 @@
-/* samples.h: many points in a cell that may be cut (W11 3.4.1), those outside left away. */
+/* samples.h: many points in a cell that may be cut (W11 3.4.1), those outside left out. */
 #ifndef MPMLAB_SAMPLES_H
 #define MPMLAB_SAMPLES_H
 

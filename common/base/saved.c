@@ -11,7 +11,7 @@
 #include "table.h"
 
 static const char magic[] = "mpmlab checkpoint 1\n";
-enum { SUM = 9, HEAD = SPEC_TEXT + 64 }; /* eight digits and a line's end */
+enum { SUM = 9, HEAD = SPEC_TEXT + 64 }; /* SUM: eight digits and a newline */
 
 int saved_check_path(const char *option, const char *path, Fault *fault)
 {

@@ -1,5 +1,5 @@
-/* stash.h: what a run changes from step to step, as bytes, written to a stream or read from it.
- * One function does both, so that they cannot differ. */
+/* stash.h: the state of a run, which changes from step to step, written to a stream as bytes or
+ * read from it. One function does both, so that they cannot differ. */
 #ifndef MPMLAB_STASH_H
 #define MPMLAB_STASH_H
 

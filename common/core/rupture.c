@@ -1,6 +1,6 @@
 /* rupture.c: stress of a chunk, and tension cut-off (problem.h): a particle whose largest principal
- * stress passes its strength has the strength 0 from then on, and bears no tension. What it stored
- * in tension is lost, and booked. sim.h. */
+ * stress exceeds its strength has the strength 0 from then on, and bears no tension. The energy
+ * that it stored in tension is recorded in `lost`, and is no external work (particle_solver.c). */
 #include "sim.h"
 
 static void load(const Chunk *c, int p, Mat F)
@@ -8,7 +8,7 @@ static void load(const Chunk *c, int p, Mat F)
     for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
 }
 
-/* Stress of what is broken. */
+/* Removes the tension from the stress of broken particles. */
 static void take_tension(const Material *mat, const Chunk *c, Field T[NMAT])
 {
     for (int p = 0; p < CHUNK; p++) {

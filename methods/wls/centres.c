@@ -1,10 +1,11 @@
-/* centres.c: IMPM (Sulsky & Gong 2016) from the fits of this room: velocities are those of planes
- * fitted at nodes, stresses those of planes fitted at the middle of cells, where one point
- * integrates the internal force. See wls.h and methods/impm.c.
+/* centres.c: IMPM (Sulsky & Gong 2016) with the fits of this room: velocities from planes fitted at
+ * nodes, stresses from planes fitted at the middle of cells, where one point integrates the
+ * internal force. See wls.h and methods/impm.c.
  *
- * Cell c is whole where its volumes V_p, weighted with the tent about its middle, sum to what they
- * are in a full cell at a corner of a body, (7/8)^DIM of a cell; below that they are its share. (A
- * cell that counted as soon as a particle enters it would push nodes that have next to no mass.) */
+ * How full a cell is: the sum of its particles' volumes, weighted with the tent about its middle,
+ * over (7/8)^DIM of a cell, which is that sum for a full cell at a corner of a body; at most 1. (If
+ * a cell counted as full as soon as a particle enters it, it would push nodes that have hardly any
+ * mass.) */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +25,8 @@ bool wls_make_centres(Sim *sim)
     c->cell.centres = true;
     c->share = calloc(n, sizeof *c->share);
     if (!c->share || !wls_alloc(sim, &c->node) || !wls_alloc(sim, &c->cell)) return false;
-    /* particles at the rim reach cells whose nodes are not live: written, but never read */
+    /* particles near the surface add to cells above nodes that are not live; these sums are not
+     * read */
     memset(c->cell.fit, 0, n * sizeof *c->cell.fit);
     memset(c->cell.most, 0, n * sizeof *c->cell.most);
     return true;
@@ -39,7 +41,7 @@ void wls_free_centres(Sim *sim)
     free(c);
 }
 
-/* Is the cell above node i of a row one of the body's, not of its image and not beyond a wall? */
+/* Is the cell above node i of a row part of the scene: neither a mirror image nor beyond a wall? */
 static bool is_within(const Grid *g, int row, int i)
 {
     int index[DIM];
@@ -65,7 +67,8 @@ static void solve_cells(const Sim *sim, Centres *c, int row)
     }
 }
 
-/* f_i = -V_c sigma_c G_ic of the cell whose corner k the node is, G_ic = +-2/(2^n h) an axis. */
+/* Adds f_i = -V_c sigma_c G_ic of one cell to its corner k; each component of G_ic is +-2/(2^n h).
+ */
 static void add_cell(const Sim *sim, const Centres *c, size_t cell, int k, Line *node)
 {
     double V = c->share[cell] * 2 / CORNERS * sim->g.cells;
@@ -76,7 +79,7 @@ static void add_cell(const Sim *sim, const Centres *c, size_t cell, int k, Line 
                 (k >> b & 1 ? V : -V) * c->cell.fit[cell][FIT_VALUE][Q_SIGMA + pair(a, b)];
 }
 
-/* Every node from its cells, in their order. */
+/* Adds to each node of a row the forces of its cells, always in the same order. */
 static void add_forces(Sim *sim, const Centres *c, int row)
 {
     Grid *g = &sim->g;
@@ -109,7 +112,8 @@ void wls_integrate_centres(Sim *sim)
     }
 }
 
-/* Momentum of the fitted velocity, or of the mean of spurious nodes, which are counted. */
+/* Sets the momenta of a row to mass times the fitted velocity; spurious nodes take the mean, and
+ * are counted. */
 static void set_velocities(Sim *sim, Wls *w, int row)
 {
     const Grid *g = &sim->g;

@@ -9,10 +9,6 @@
 
 #include "kernel.h"
 
-/* A vector of the machine, and how many make a line. Two of them are summed at a time. */
-enum { PER_PART = VECTOR_BYTES / (int)sizeof(double), PARTS = (int)LANES / PER_PART };
-typedef double Part __attribute__((vector_size(VECTOR_BYTES), may_alias));
-
 typedef struct Space {
     Field W[NEIGHBOURS], beta[NEIGHBOURS]; /* W, and beta times the tent, of every node */
     Line sample[CHUNK][1 + DIM];           /* f, r_d f: per particle of a run */
@@ -49,7 +45,7 @@ static inline void load_samples(const Deposit *w, int from, int to, bool hermite
     }
 }
 
-/* Two parts of the lines of particles from <= p < to, onto one node. */
+/* Two parts (lanes.h) of the lines of particles from <= p < to, onto one node. */
 static inline __attribute__((always_inline)) void
 add_parts(const Space *s, int node, int from, int to, int part, double total, Line fit[FIT])
 {
@@ -66,8 +62,8 @@ add_parts(const Space *s, int node, int from, int to, int part, double total, Li
         const Part *e = (const Part *)&s->away[node] + part;
         for (int h = 0; h < 2; h++) sum[0][h] -= total * e[h];
         for (int d = 0; d < DIM; d++) {
-            const int lane = Q_R + d - part * PER_PART;
-            const double first = sum[0][lane / PER_PART][lane % PER_PART];
+            const int lane = Q_R + d - part * PART_LANES;
+            const double first = sum[0][lane / PART_LANES][lane % PART_LANES];
             for (int h = 0; h < 2; h++) sum[1 + d][h] -= first * e[h];
         }
     }

@@ -5,20 +5,9 @@
 
 typedef const Info *const *InfoList;
 
-static InfoList problems_of(const Engine *e)
-{
-    return e->problems;
-}
-
-static InfoList methods_of(const Engine *e)
-{
-    return e->methods;
-}
-
-static InfoList integrators_of(const Engine *e)
-{
-    return e->integrators;
-}
+/* What `list` knows, in this order; a study has no dimension of its own. */
+enum { METHODS, PROBLEMS, STUDIES, INTEGRATORS, KINDS };
+static const char *const kinds[KINDS] = {"methods", "problems", "studies", "integrators"};
 
 static const Info *info_in(InfoList list, const char *name)
 {
@@ -27,66 +16,49 @@ static const Info *info_in(InfoList list, const char *name)
     return NULL;
 }
 
-/* One line: kind, name, every dimension that knows it, what it is. */
-static void print_entry(const char *kind, const char *name, InfoList (*of)(const Engine *))
+/* One line: kind (in the singular), name, every dimension that knows it, what it is. */
+static void print_entry(int kind, const char *name)
 {
     const Info *info = NULL;
-    printf("%s\t%s\t", kind, name);
+    printf("%.*s\t%s\t", (int)strlen(kinds[kind]) - 1, kinds[kind], name);
     for (const Engine *const *e = engines; *e; e++) {
-        const Info *here = info_in(of(*e), name);
+        const Info *here = info_in(kind == METHODS    ? (*e)->methods
+                                   : kind == PROBLEMS ? (*e)->problems
+                                                      : (*e)->integrators,
+                                   name);
         if (here) printf("%s%d", info ? "," : "", (*e)->dim);
         if (here) info = here;
     }
     printf("\t%s\n", info ? info->about : "");
 }
 
-static void print_entries(const char *kind, int names_of(const char *names[], int max),
-                          InfoList (*of)(const Engine *))
+static void print_entries(int kind)
 {
     const char *names[64];
-    const int n = names_of(names, 64);
-    for (int k = 0; k < n; k++) print_entry(kind, names[k], of);
-}
-
-static void list_methods(void)
-{
-    print_entries("method", engine_method_names, methods_of);
-}
-
-static void list_problems(void)
-{
-    print_entries("problem", engine_problem_names, problems_of);
-}
-
-static void list_integrators(void)
-{
-    for (InfoList i = engines[0]->integrators; *i; i++)
-        print_entry("integrator", (*i)->name, integrators_of);
-}
-
-/* A study has no dimension of its own. */
-static void list_studies(void)
-{
-    for (const Study *const *s = studies; *s; s++)
-        printf("study\t%s\t-\t%s: %s\n", (*s)->name, (*s)->figure, (*s)->about);
+    int n = 0;
+    if (kind == METHODS) n = engine_method_names(names, 64);
+    if (kind == PROBLEMS) n = engine_problem_names(names, 64);
+    if (kind == INTEGRATORS)
+        for (InfoList i = engines[0]->integrators; *i; i++) names[n++] = (*i)->name;
+    for (int k = 0; k < n; k++) print_entry(kind, names[k]);
+    for (const Study *s = studies; kind == STUDIES && s->name; s++)
+        printf("study\t%s\t-\t%s: %s\n", s->name, s->figure, s->about);
 }
 
 static int list(int argc, char **argv, Fault *fault)
 {
-    static const char *const kinds[] = {"methods", "problems", "studies", "integrators"};
-    static void (*const print[])(void) = {list_methods, list_problems, list_studies,
-                                          list_integrators};
     const char *kind = NULL;
-    int found = 0, code = options_read(argc, argv, options_none, option_take_word, &kind, fault);
+    bool found = false;
+    const int code = options_read(argc, argv, options_none, option_take_word, &kind, fault);
     if (code) return code;
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < KINDS; k++) {
         if (kind && strcmp(kind, kinds[k]) != 0) continue;
-        print[k]();
-        found = 1;
+        print_entries(k);
+        found = true;
     }
     return found ? 0
                  : option_refuse(fault, "KIND", kind, "methods, problems, studies or integrators",
-                                 kinds, 4);
+                                 kinds, KINDS);
 }
 
 const Command list_command = {
@@ -103,7 +75,7 @@ static int refuse_name(const char *name, Fault *fault)
     int n = engine_problem_names(names, 64);
     n += engine_method_names(names + n, 64);
     for (InfoList i = engines[0]->integrators; *i; i++) names[n++] = (*i)->name;
-    for (const Study *const *s = studies; *s && n < 192; s++) names[n++] = (*s)->name;
+    for (const Study *s = studies; s->name && n < 192; s++) names[n++] = s->name;
     const char *meant = name && *name ? study_meant(name) : NULL;
     return option_refuse(fault, "NAME", name ? name : "", "a problem, method, integrator or study",
                          meant ? &meant : names, meant ? 1 : n);

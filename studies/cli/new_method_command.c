@@ -10,7 +10,6 @@
 #include "common/base/table.h"
 #include "cli.h"
 #include "studies/phrase.h"
-#include "studies/runs/must.h"
 #include "studies/runs/engines.h"
 
 enum { LONGEST = 31 };
@@ -27,7 +26,7 @@ static int check_name(const char *name, Fault *fault)
 }
 
 /* The source tree's methods/ beside the program's build folder, or NULL. */
-static char *methods_folder(void)
+static const char *methods_folder(void)
 {
     static const char *const places[] = {"../methods", "../../methods"};
     char self[PATH_MAX], found[PATH_MAX];
@@ -36,12 +35,10 @@ static char *methods_folder(void)
     self[n] = '\0';
     *strrchr(self, '/') = '\0';
     for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
-        char *list = must_text("%s/%s/methods.def", self, places[k]);
-        const int there = access(list, R_OK) == 0 && realpath(list, found) != NULL;
-        free(list);
-        if (!there) continue;
+        const char *list = phrase("%s/%s/methods.def", self, places[k]);
+        if (access(list, R_OK) != 0 || !realpath(list, found)) continue;
         *strrchr(found, '/') = '\0';
-        return must_text("%s", found);
+        return phrase("%s", found);
     }
     return NULL;
 }
@@ -78,10 +75,10 @@ static void write_filled(FILE *f, const char *text, const char *name)
 
 static int write_source(const char *folder, const char *path, const char *name, Fault *fault)
 {
-    char *from = must_text("%s/new_method.txt", folder), *text = read_all(from, fault);
+    char *text = read_all(phrase("%s/new_method.txt", folder), fault);
     FILE *f = text ? file_begin(path, fault) : NULL;
     if (f) write_filled(f, text, name);
-    free(from), free(text);
+    free(text);
     return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }
 
@@ -98,9 +95,10 @@ static int write_line(const char *path, const char *name, Fault *fault)
 /* Is there a line METHOD(name), or a file of that name? */
 static int is_taken(const char *source, const char *list, const char *name)
 {
-    char *text = read_all(list, NULL), *line = must_text("METHOD(%s)", name);
-    const int taken = access(source, F_OK) == 0 || (text && strstr(text, line));
-    free(text), free(line);
+    char *text = read_all(list, NULL);
+    const int taken =
+        access(source, F_OK) == 0 || (text && strstr(text, phrase("METHOD(%s)", name)));
+    free(text);
     return taken;
 }
 
@@ -125,7 +123,7 @@ static int new_method(int argc, char **argv, Fault *fault)
     const char *name = NULL;
     int code = options_read(argc, argv, options_none, option_take_word, &name, fault);
     if (code || (code = check_name(name ? name : "", fault))) return code;
-    char *folder = methods_folder();
+    const char *folder = methods_folder();
     if (!folder)
         return fault_set(fault, FAULT_MACHINE,
                          "new-method: no methods/methods.def beside the program's build folder");
@@ -133,7 +131,6 @@ static int new_method(int argc, char **argv, Fault *fault)
     if (lock >= 0) flock(lock, LOCK_EX); /* two at a time would lose a line */
     code = add(folder, name, fault);
     if (lock >= 0) close(lock);
-    free(folder);
     return code;
 }
 

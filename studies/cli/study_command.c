@@ -49,10 +49,10 @@ const char *study_meant(const char *text)
 {
     const char *meant = NULL;
     int n = 0;
-    for (const Study *const *s = studies; *s; s++) {
-        if (is_figure((*s)->figure, text)) return (*s)->name;
-        if (strncmp((*s)->name, text, strlen(text)) != 0) continue;
-        meant = (*s)->name;
+    for (const Study *s = studies; s->name; s++) {
+        if (is_figure(s->figure, text)) return s->name;
+        if (strncmp(s->name, text, strlen(text)) != 0) continue;
+        meant = s->name;
         n++;
     }
     return n == 1 ? meant : NULL;
@@ -62,9 +62,9 @@ const Study *study_named(const char *name, Fault *fault)
 {
     const char *names[128] = {"all"};
     int n = 1;
-    for (const Study *const *s = studies; *s && n < 128; s++) {
-        if (strcmp((*s)->name, name) == 0) return *s;
-        names[n++] = (*s)->name;
+    for (const Study *s = studies; s->name && n < 128; s++) {
+        if (strcmp(s->name, name) == 0) return s;
+        names[n++] = s->name;
     }
     const char *meant = study_meant(name);
     option_refuse(fault, "NAME", name, "a study or all", meant ? &meant : names, meant ? 1 : n);
@@ -151,14 +151,14 @@ static int run_studies(const StudyArgs *args, Fault *fault)
 {
     int code = 0;
     bool drawn = true;
-    for (const Study *const *s = studies; *s && code != FAULT_INTERRUPTED; s++) {
+    for (const Study *s = studies; s->name && code != FAULT_INTERRUPTED; s++) {
         Fault f = {0};
         const bool all = strcmp(args->name, "all") == 0;
         const double start = stopwatch_wall();
-        if (!all && strcmp(args->name, (*s)->name) != 0) continue;
-        int got = run_study(*s, &args->options, &f);
+        if (!all && strcmp(args->name, s->name) != 0) continue;
+        int got = run_study(s, &args->options, &f);
         const bool failed = got && got != PLOT_NO_GNUPLOT;
-        if (all) report_study(*s, &args->options, failed ? f.text : NULL, start);
+        if (all) report_study(s, &args->options, failed ? f.text : NULL, start);
         if (got == PLOT_NO_GNUPLOT)
             drawn = false;
         else if (got && (code == 0 || got == FAULT_INTERRUPTED)) {

@@ -134,12 +134,8 @@ static int print_orders(const SweepArgs *args, Fault *fault)
 
 static int run_sweep(SweepArgs *args, Fault *fault)
 {
-    const Study study = {.name = args->name,
-                         .figure = "sweep",
-                         .about = "a sweep of run options",
-                         .cases = cases,
-                         .tables = tables,
-                         .script = "sweep"};
+    static const StudyPage page = {.cases = cases, .tables = tables};
+    const Study study = {args->name, "sweep", "a sweep of run options", &page, NULL, "sweep"};
     sweep_arrange(&args->sweep);
     if (sweep_size(&args->sweep) > (double)MOST_CASES)
         return fault_set(fault, FAULT_USAGE, "sweep: got %g cases, takes at most %d",

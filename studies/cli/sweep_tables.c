@@ -113,9 +113,8 @@ static Sums sums_of(const Curves *c, const Part *p)
 /* Does the axis make meshes or steps finer, so that all else must be equal? */
 static bool refines(const char *axis)
 {
-    static const char *const names[] = {"cells", "ppc", "cfl", "particles"};
-    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
-        if (strcmp(names[k], axis) == 0) return true;
+    EACH_WORD(name, "cells ppc cfl particles")
+        if (strcmp(name, axis) == 0) return true;
     return false;
 }
 

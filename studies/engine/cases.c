@@ -1,7 +1,6 @@
 /* cases.c: case texts into resolved runs with keys; which of them have no row yet. */
 #include "cases.h"
 
-#include <stdarg.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -65,20 +64,14 @@ static void add(Cases *cases, const char *kind, const char *part, const char *te
 void case_add(Cases *cases, const char *format, ...)
 {
     char text[SPEC_TEXT];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
+    PHRASE_INTO(text, format);
     add(cases, NULL, NULL, text);
 }
 
 void case_add_with(Cases *cases, const char *kind, const char *part, const char *format, ...)
 {
     char text[SPEC_TEXT];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
+    PHRASE_INTO(text, format);
     add(cases, kind, part, text);
 }
 
@@ -114,16 +107,17 @@ static int finish(Cases *cases, const Study *study, Fault *fault)
 int cases_build(Cases *cases, const Study *study, bool quick, const char *methods, const char *dir,
                 Fault *fault)
 {
-    *cases = (Cases){.dir = dir, .name = study->name, .methods = methods, .also = study->also};
+    *cases =
+        (Cases){.dir = dir, .name = study->name, .methods = methods, .also = study->page->also};
     snprintf(cases->program, sizeof cases->program, "%08lx", cases_program());
-    if (study->cases) study->cases(cases, quick);
+    if (study->page->cases) study->page->cases(cases, quick);
     cases->listed = cases->n;
     return finish(cases, study, fault);
 }
 
 int cases_refine(Cases *cases, const Study *study, const Table *rows, bool quick, Fault *fault)
 {
-    study->refine(cases, rows, quick);
+    study->page->refine(cases, rows, quick);
     return finish(cases, study, fault);
 }
 

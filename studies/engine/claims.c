@@ -105,32 +105,31 @@ int claims_judge_study(Check *check, const Study *study, const char *dir, Fault 
     Results *r = results_open(study, dir, false);
     check->study = study;
     check->stream = check->notes ? results_write_notes(r) : NULL;
-    study->check(check, r);
+    study->page->check(check, r);
     if (results_missing(r)[0]) fail_all(check, before, results_missing(r));
     const int code = results_close(r, fault);
     if (code) return code;
-    if (check->n - before == study->claims) return 0;
+    if (check->n - before == study->page->claims) return 0;
     return fault_set(fault, FAULT_MACHINE, "study %s: makes %d claims, declares %d", study->name,
-                     check->n - before, study->claims);
+                     check->n - before, study->page->claims);
 }
 
 static void not_run(Check *check, const Study *study, const char *reason)
 {
     const double bounds[] = {NAN, NAN};
-    char id[64];
-    snprintf(id, sizeof id, "%s.not-run", study->figure);
     check->study = study;
-    add(check, id, study->about, NOT_RUN, bounds, measure(NAN, 0, 0), reason);
+    add(check, phrase("%s.not-run", study->figure), study->about, NOT_RUN, bounds,
+        measure(NAN, 0, 0), reason);
 }
 
 int claims_judge_all(Check *check, const char *dir, Fault *fault)
 {
-    for (const Study *const *s = studies; *s; s++) {
+    for (const Study *s = studies; s->name; s++) {
         char reason[128];
-        if (!(*s)->check) continue;
-        if (!sidecar_is_current(*s, dir, reason))
-            not_run(check, *s, reason);
-        else if (claims_judge_study(check, *s, dir, fault))
+        if (!s->page->check) continue;
+        if (!sidecar_is_current(s, dir, reason))
+            not_run(check, s, reason);
+        else if (claims_judge_study(check, s, dir, fault))
             return FAULT_MACHINE;
     }
     return 0;
@@ -152,12 +151,6 @@ const char *claim_group(const Claim *c)
     return on_page && statement_is_published(s) ? s->paper : "own";
 }
 
-/* Where the paper says what the claim tests, as "W07 3, fig 5"; "" if it does not. */
-static void put_source(FILE *f, const Statement *s)
-{
-    table_put_cell(f, s && statement_is_published(s) ? phrase("%s %s", s->paper, s->place) : "");
-}
-
 int claims_write(const Check *check, const char *dir, Fault *fault)
 {
     const char *path = phrase("%s/claims.csv", dir);
@@ -166,10 +159,10 @@ int claims_write(const Check *check, const char *dir, Fault *fault)
         fputs("id,figure,statement,measured,low,high,verdict,reason,source,group,rows,sentence\n",
               f);
     for (const Claim *c = check->list; f && c < check->list + check->n; c++) {
+        const Statement *s = statement_of_claim(c->id);
+        const bool published = s && statement_is_published(s);
         table_put_cell(f, c->id);
-        putc(',', f);
-        table_put_cell(f, c->study->figure);
-        putc(',', f);
+        fprintf(f, ",%s,", c->study->figure);
         table_put_cell(f, c->statement);
         putc(',', f);
         number_cell(f, c->measured);
@@ -178,11 +171,10 @@ int claims_write(const Check *check, const char *dir, Fault *fault)
         fprintf(f, "%s,", claim_verdict_name(c->verdict));
         table_put_cell(f, c->reason);
         putc(',', f);
-        put_source(f, statement_of_claim(c->id));
+        table_put_cell(f, published ? phrase("%s %s", s->paper, s->place) : "");
         fprintf(f, ",%s,%d,", claim_group(c), c->rows);
-        table_put_cell(f, statement_of_claim(c->id) ? statement_of_claim(c->id)->text : "");
+        table_put_cell(f, s ? s->text : "");
         putc('\n', f);
     }
-    int code = f ? file_commit(f, path, fault) : FAULT_MACHINE;
-    return code;
+    return f ? file_commit(f, path, fault) : FAULT_MACHINE;
 }

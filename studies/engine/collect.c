@@ -7,15 +7,16 @@
 #include <string.h>
 #include <unistd.h>
 #include <zlib.h>
+#include "studies/phrase.h"
 #include "studies/runs/must.h"
 #include "run_study.h"
 
 /* The place of case k's row: its number in the list, and a checksum of its key. */
-static char *row_file(const Study *study, const Cases *cases, int k, const char *dir)
+static const char *row_file(const Study *study, const Cases *cases, int k, const char *dir)
 {
     const char *key = cases->list[k].key;
     unsigned long sum = crc32(0, (const unsigned char *)key, (unsigned)strlen(key));
-    return must_text("%s/%s.collect/%05d-%08lx.csv", dir, study->name, k, sum);
+    return phrase("%s/%s.collect/%05d-%08lx.csv", dir, study->name, k, sum);
 }
 
 /* One word of a shell command. */
@@ -44,23 +45,20 @@ static void print_option(const char *option, const char *value)
 int collect_list(const Study *study, const Cases *cases, const Journal *journal, const char *dir,
                  Fault *fault)
 {
-    char program[PATH_MAX], *folder = must_text("%s/%s.collect", dir, study->name);
+    char program[PATH_MAX];
     ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
     program[length > 0 ? length : 0] = '\0';
     int n, *missing = cases_missing(cases, journal, &n);
-    int code = file_make_folder(folder, fault);
+    int code = file_make_folder(phrase("%s/%s.collect", dir, study->name), fault);
     for (int k = 0; k < n && code == 0; k++) {
         const Case *c = &cases->list[missing[k]];
-        char *file = row_file(study, cases, missing[k], dir);
         print_word(program);
         printf(" %s", c->command);
         if (c->file) print_option(c->kind, c->file);
-        print_option("csv", file);
+        print_option("csv", row_file(study, cases, missing[k], dir));
         putchar('\n');
-        free(file);
     }
     free(missing);
-    free(folder);
     return code;
 }
 
@@ -96,10 +94,9 @@ int collect_merge(const Study *study, const Cases *cases, const Journal *journal
 {
     int n, error = 0, *missing = cases_missing(cases, journal, &n);
     for (int k = 0; k < n && !error; k++) {
-        char *file = row_file(study, cases, missing[k], dir), *row = last_row(file);
+        char *row = last_row(row_file(study, cases, missing[k], dir));
         if (row) error = journal_append(journal->fd, cases->list[missing[k]].key, row);
         free(row);
-        free(file);
     }
     free(missing);
     return error ? fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(error)) : 0;

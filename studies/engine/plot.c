@@ -71,7 +71,8 @@ static int draw(const char *set, const char *script, FILE *f, const char *whole,
 /* "ROOM/NAME" of the script, without its ending. */
 static const char *script_name(const Study *study)
 {
-    return phrase("%s/%s", study_room(study), study->script ? study->script : study->name);
+    return phrase("%s/%s", study->room ? study->room : ".",
+                  study->script ? study->script : study->name);
 }
 
 static int draw_format(const Study *study, const char *dir, const char *plots, int k, Fault *fault)

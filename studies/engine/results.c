@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <stdarg.h>
 #include "cases.h"
 #include "studies/runs/must.h"
 #include "studies/select.h"
@@ -13,7 +12,8 @@
 /* A file that the page writes, or a table that it has read. */
 typedef struct Part {
     struct Part *next;
-    char *path, *text;
+    const char *path;
+    char *text;
     size_t size;
     FILE *f; /* NULL: written */
     Table *table;
@@ -55,7 +55,7 @@ Results *results_open(const Study *study, const char *dir, bool quick)
 
 /* ---- Tables of the page */
 
-static Part *add_part(const Results *r, char *path)
+static Part *add_part(const Results *r, const char *path)
 {
     Part *p = must(calloc(1, sizeof *p));
     p->path = path;
@@ -64,9 +64,9 @@ static Part *add_part(const Results *r, char *path)
     return p;
 }
 
-static char *path_of(const Results *r, const char *part, const char *ending)
+static const char *path_of(const Results *r, const char *part, const char *ending)
 {
-    return must_text("%s/%s%s%s.%s", r->dir, r->study->name, *part ? "." : "", part, ending);
+    return phrase("%s/%s%s%s.%s", r->dir, r->study->name, *part ? "." : "", part, ending);
 }
 
 FILE *results_write(const Results *r, const char *part, const char *header)
@@ -96,13 +96,10 @@ static void commit(Part *p, Fault *fault)
 
 const Table *results_part(const Results *r, const char *part)
 {
-    char *path = path_of(r, part, "csv");
+    const char *path = path_of(r, part, "csv");
     Part *p = r->own->parts;
     while (p && strcmp(p->path, path) != 0) p = p->next;
-    if (p)
-        free(path);
-    else
-        p = add_part(r, path);
+    if (!p) p = add_part(r, path);
     if (p->table) return p->table;
     commit(p, &r->own->fault);
     p->table = table_read(p->path, NULL);
@@ -130,7 +127,6 @@ int results_close(Results *r, Fault *fault)
         next = p->next;
         table_free(p->table);
         free(p->text);
-        free(p->path);
         free(p);
     }
     const int code = own->fault.code;
@@ -147,8 +143,8 @@ int results_close(Results *r, Fault *fault)
 int results_tables(const Study *study, const char *dir, bool quick, Fault *fault)
 {
     Results *r = results_open(study, dir, quick);
-    if (!study->cases) r->own->fault.code = 0;
-    if (r->own->fault.code == 0) study->tables(r);
+    if (!study->page->cases) r->own->fault.code = 0;
+    if (r->own->fault.code == 0) study->page->tables(r);
     if (r->own->fault.code == 0 && r->own->missing[0])
         fault_set(&r->own->fault, FAULT_MACHINE, "%s/%s: no table", dir, r->own->missing);
     return results_close(r, fault);
@@ -204,7 +200,7 @@ static void find_cases(const Results *r)
     struct ResultsOwn *own = r->own;
     for (int quick = 0; quick < 2; quick++) {
         cases_build(&own->cases, r->study, quick, NULL, r->dir, NULL);
-        if (match(own) >= own->rows->nrow || r->study->refine || quick) return;
+        if (match(own) >= own->rows->nrow || r->study->page->refine || quick) return;
         cases_free(&own->cases);
         free(own->row);
     }
@@ -212,8 +208,7 @@ static void find_cases(const Results *r)
 
 const char *results_status(const Results *r, const char *part)
 {
-    char *path = path_of(r, part, "csv");
-    const char *status = "absent";
+    const char *path = path_of(r, part, "csv"), *status = "absent";
     if (!r->own->row) find_cases(r);
     for (int k = 0; k < r->own->cases.n; k++) {
         const char *file = r->own->cases.list[k].file;
@@ -222,7 +217,6 @@ const char *results_status(const Results *r, const char *part)
         status = row < 0 ? "absent" : select_is_lost(r->rows, row) ? "lost" : "ok";
         if (status[0] != 'o') break;
     }
-    free(path);
     return status;
 }
 
@@ -232,12 +226,7 @@ static Table *file_left(const Results *r, const char *part)
     return table_read_part(r->dir, r->study->name, part, NULL);
 }
 
-Table *results_file(const Results *r, const char *part)
-{
-    return results_status(r, part)[0] == 'o' ? file_left(r, part) : NULL;
-}
-
-char *results_path(const Results *r, const char *part)
+const char *results_path(const Results *r, const char *part)
 {
     return results_status(r, part)[0] == 'o' ? path_of(r, part, "csv") : NULL;
 }
@@ -261,25 +250,26 @@ static const Table *keep(const Results *r, const char *part, bool any)
     return one.table;
 }
 
-/* results_run and results_ended: the part's name, formatted. */
-#define PART_NAME(text, part)                                                                      \
-    do {                                                                                           \
-        va_list args;                                                                              \
-        va_start(args, part);                                                                      \
-        vsnprintf(text, sizeof text, part, args);                                                  \
-        va_end(args);                                                                              \
-    } while (0)
-
 const Table *results_run(const Results *r, const char *part, ...)
 {
     char text[256];
+<<<<<<< HEAD
     PART_NAME(text, part);
     return keep(r, text, false);
+=======
+    PHRASE_INTO(text, part);
+    return keep(r, results_status(r, text)[0] == 'o' ? file_left(r, text) : NULL);
+>>>>>>> house18b
 }
 
 const Table *results_ended(const Results *r, const char *part, ...)
 {
     char text[256];
+<<<<<<< HEAD
     PART_NAME(text, part);
     return keep(r, text, true);
+=======
+    PHRASE_INTO(text, part);
+    return keep(r, file_left(r, text));
+>>>>>>> house18b
 }

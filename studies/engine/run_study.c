@@ -23,8 +23,8 @@ static int run_missing(const Study *study, const StudyOptions *o, const Cases *c
                        Journal *journal, const char *path, Fault *fault)
 {
     int n, *missing = cases_missing(cases, journal, &n);
-    int code =
-        pool_run(cases, missing, n, study->timed ? 1 : o->jobs, journal, path, study->name, fault);
+    int code = pool_run(cases, missing, n, study->page->timed ? 1 : o->jobs, journal, path,
+                        study->name, fault);
     free(missing);
     return code ? code : journal_reload(journal, path, fault);
 }
@@ -33,8 +33,7 @@ static int write_rows(const Study *study, const char *dir, const Cases *cases,
                       const Journal *journal, Fault *fault)
 {
     const char *csv = phrase("%s/%s.csv", dir, study->name);
-    const int code = study->cases ? sidecar_write_rows(cases, journal, csv, fault) : 0;
-    return code;
+    return study->page->cases ? sidecar_write_rows(cases, journal, csv, fault) : 0;
 }
 
 /* The cases that the rows so far ask for, if any. */
@@ -55,7 +54,7 @@ static int run_cases(const Study *study, const StudyOptions *o, Cases *cases, Jo
     do {
         before = cases->n;
         code = run_missing(study, o, cases, journal, path, fault);
-        if (code == 0 && study->refine) code = refine(study, o, cases, journal, fault);
+        if (code == 0 && study->page->refine) code = refine(study, o, cases, journal, fault);
     } while (code == 0 && cases->n > before);
     return code;
 }
@@ -66,9 +65,9 @@ static int finish(const Study *study, const StudyOptions *o, const Cases *cases,
 {
     int code = o->keep ? sidecar_keep(study, cases, o->dir, fault) : 0;
     if (code == 0) code = write_rows(study, o->dir, cases, journal, fault);
-    if (code == 0 && study->tables) code = results_tables(study, o->dir, o->quick, fault);
+    if (code == 0 && study->page->tables) code = results_tables(study, o->dir, o->quick, fault);
     if (code == 0) code = sidecar_write(study, cases, o->dir, fault);
-    if (code == 0 && study->check) {
+    if (code == 0 && study->page->check) {
         Check check = {.notes = true};
         code = claims_judge_study(&check, study, o->dir, fault);
         free(check.list);
@@ -79,7 +78,7 @@ static int finish(const Study *study, const StudyOptions *o, const Cases *cases,
 static int run_locked(const Study *study, const StudyOptions *o, Cases *cases, Journal *journal,
                       const char *path, Fault *fault)
 {
-    if (o->action == STUDY_LIST && study->timed)
+    if (o->action == STUDY_LIST && study->page->timed)
         fprintf(stderr, "mpmlab: %s measures time: run these one after the other\n", study->name);
     if (o->action == STUDY_LIST) return collect_list(study, cases, journal, o->dir, fault);
     if (o->action == STUDY_COLLECT) {
@@ -96,11 +95,8 @@ static int check_files(const Study *study, const Cases *cases, const char *dir, 
 {
     static const char *const endings[] = {"csv", "json", "var", "svg", "png", "page.png"};
     int code = 0;
-    for (size_t k = 0; k < sizeof endings / sizeof *endings && code == 0; k++) {
-        char *path = must_text("%s/%s.%s", dir, study->name, endings[k]);
-        code = file_check(path, fault);
-        free(path);
-    }
+    for (size_t k = 0; k < sizeof endings / sizeof *endings && code == 0; k++)
+        code = file_check(phrase("%s/%s.%s", dir, study->name, endings[k]), fault);
     for (const Case *c = cases->list; c < cases->list + cases->n && code == 0; c++)
         if (c->file) code = file_check(c->file, fault);
     return code;

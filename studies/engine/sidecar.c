@@ -198,14 +198,12 @@ static int runs_beyond(const json_t *list, const Cases *cases)
     return beyond;
 }
 
-/* NAME-1, or the first number that is free; owned by the caller. */
-static char *free_name(const char *dir, const char *name)
+/* NAME-1, or the first number that is free. */
+static const char *free_name(const char *dir, const char *name)
 {
-    for (int k = 1;; k++) {
-        const char *json = phrase("%s/%s-%d.json", dir, name, k);
-        const bool taken = access(json, F_OK) == 0;
-        if (!taken) return must_text("%s-%d", name, k);
-    }
+    int k = 1;
+    while (access(phrase("%s/%s-%d.json", dir, name, k), F_OK) == 0) k++;
+    return phrase("%s-%d", name, k);
 }
 
 static int rename_part(const char *dir, const char *name, const char *to, const char *ending,
@@ -213,9 +211,7 @@ static int rename_part(const char *dir, const char *name, const char *to, const 
 {
     const char *from = phrase("%s/%s%s", dir, name, ending),
                *now = phrase("%s/%s%s", dir, to, ending);
-    const int failed = rename(from, now) != 0;
-    if (failed) fault_machine(fault, now);
-    return failed ? FAULT_MACHINE : 0;
+    return rename(from, now) == 0 ? 0 : fault_machine(fault, now);
 }
 
 /* Everything that belongs to the table; its NAME.json last, so that a rename that was interrupted
@@ -242,14 +238,13 @@ int sidecar_keep(const Study *study, const Cases *cases, const char *dir, Fault 
     json_t *json = json_load_file(path, 0, NULL);
     int code = 0;
     if (runs_beyond(json_object_get(json, "inputs"), cases)) {
-        char *to = free_name(dir, study->name);
+        const char *to = free_name(dir, study->name);
         code = rename_all(dir, study->name, to, fault);
         if (code == 0)
             fprintf(stderr,
                     "mpmlab: %s was another sweep, which is kept as %s; --name keeps both "
                     "under names of their own\n",
                     study->name, to);
-        free(to);
     }
     json_decref(json);
     return code;

@@ -10,7 +10,6 @@
  * not lie on the grid's lines the mode draws energy until the run is lost. GE-WLS returns with
  * splines and takes the slopes of v from the particles' gradients, and keeps it. */
 #include <math.h>
-#include "studies/tables/curves.h"
 #include "studies/tables/grades.h"
 
 enum { STEPS = 1500, VARIANTS = 3 };
@@ -27,7 +26,7 @@ static const struct {
 static bool takes(const Engine *e, const Info *method, int variant)
 {
     return engine_has_grid(e, method->name) &&
-           (!variants[variant].param || engine_takes(method, variants[variant].param));
+           (!variants[variant].param || info_param_find(method->params, variants[variant].param));
 }
 
 static const char *part_name(const char *method, int dim, int variant)
@@ -55,16 +54,15 @@ static void cases(Cases *list, bool quick)
 {
     add_places(list, quick);
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
-        for (const Info *const *m = (*e)->methods; *m; m++)
+        EACH_METHOD(m, *e)
             for (int v = 0; v < VARIANTS; v++) {
                 const int cells = (*e)->dim == 1 ? 128 : 16, steps = quick ? 10 : STEPS;
-                if (!takes(*e, *m, v)) continue;
-                case_add_with(list, "history", part_name((*m)->name, (*e)->dim, v),
+                if (!takes(*e, m, v)) continue;
+                case_add_with(list, "history", part_name(m->name, (*e)->dim, v),
                               "run block --method %s --cells %d --set dim=%d --set ripple=1e-4 "
                               "--set offset_x=0.3 --set offset_y=0.2 --t-end %.17g%s%s",
-                              (*m)->name, cells, (*e)->dim,
-                              steps * BLOCK_CFL / (cells * BLOCK_SPEED), v ? " --set " : "",
-                              v ? variants[v].name : "");
+                              m->name, cells, (*e)->dim, steps * BLOCK_CFL / (cells * BLOCK_SPEED),
+                              v ? " --set " : "", v ? variants[v].name : "");
             }
 }
 
@@ -95,13 +93,6 @@ static void write_places(FILE *f, const Results *r)
         }
 }
 
-static Measure most_of_places(const Table *t, int dim)
-{
-    Curve c;
-    curve_pick(&c, t, "offset_x", "most", "dim=%d", dim);
-    return curve_max(&c, PLACES);
-}
-
 /* Extremes over methods ("mpm gimp") and dimensions first .. 2 of what is left at the end. */
 typedef struct Left {
     Measure least, most;
@@ -110,8 +101,7 @@ typedef struct Left {
 static Left left(const Table *t, const char *methods, int first, int variant)
 {
     Left out = {measure_min_of(0), measure_max_of(0)};
-    char m[WORD_TEXT];
-    while (select_word(&methods, m))
+    EACH_WORD(m, methods)
         for (int dim = first; dim <= 2; dim++) {
             Curve c;
             curve_pick(&c, t, "step", "kept", "method=%s dim=%d variant=%s", m, dim,
@@ -127,12 +117,11 @@ static Left left(const Table *t, const char *methods, int first, int variant)
 static Measure last_left(const Table *t, const char *methods, int variant)
 {
     Measure out = measure_max_of(0);
-    char m[WORD_TEXT];
-    while (select_word(&methods, m))
+    EACH_WORD(m, methods)
         for (int dim = 1; dim <= 2; dim++) {
             const char *where = "method=%s dim=%d variant=%s", *which = variants[variant].name;
             Measure last = measure_sum_of(1);
-            for (int row = -1; (row = select_next(t, row, where, m, dim, which)) >= 0;)
+            EACH_ROW(row, t, where, m, dim, which)
                 last = measure(select_number(t, row, "kept"), 1, 1);
             const bool kept = select_value(t, "kept", where, m, dim, which).rows > 0;
             if (!kept && !(last.value > 1.1)) last = measure(NAN, 0, 1);
@@ -148,17 +137,16 @@ static Mark mark_kept(double part)
 
 static void write_grades(FILE *f, FILE *g, const Table *t)
 {
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
-        if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
-        const double usual = last_left(t, (*m)->name, 0).value;
-        grade_add(f, "H-2", (*m)->name, mark_kept(usual),
+    EACH_GRID_METHOD(m, &engine_2d) {
+        const double usual = last_left(t, m->name, 0).value;
+        grade_add(f, "H-2", m->name, mark_kept(usual),
                   usual > 1.1 ? "grows to %.3g times what it was in %d steps"
                               : "%.2g of it left after %d steps",
                   usual, STEPS);
         for (int v = 1; v < VARIANTS; v++)
-            if (takes(&engine_2d, *m, v))
-                grade_remedy_add(g, "H-2", (*m)->name, variants[v].name, mark_kept(usual),
-                                 mark_kept(last_left(t, (*m)->name, v).value), "");
+            if (takes(&engine_2d, m, v))
+                grade_remedy_add(g, "H-2", m->name, variants[v].name, mark_kept(usual),
+                                 mark_kept(last_left(t, m->name, v).value), "");
     }
 }
 
@@ -166,9 +154,9 @@ static void tables(const Results *r)
 {
     FILE *f = results_write(r, "kept", "method,dim,variant,step,kept,status");
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
-        for (const Info *const *m = (*e)->methods; *m; m++)
+        EACH_METHOD(m, *e)
             for (int v = 0; v < VARIANTS; v++)
-                if (takes(*e, *m, v)) write_one(f, r, (*m)->name, (*e)->dim, v);
+                if (takes(*e, m, v)) write_one(f, r, m->name, (*e)->dim, v);
     write_places(results_write(r, "places", "dim,offset_x,most,status"), r);
     write_grades(grades_write(r), grades_write_remedies(r), results_part(r, "kept"));
 }
@@ -212,11 +200,11 @@ static void check_places(Check *c, const Table *t)
     claim(c, "H-2.ge_wls-places",
           "GE-WLS, bar of 8 cells at 20 offsets from the grid: most amplitude of the invisible "
           "mode in 6000 steps",
-          most_of_places(t, 1), 0.9, 1.1);
+          select_max(t, "most", PLACES, "dim=1"), 0.9, 1.1);
     claim_differs(c, "H-2.ge_wls-places-plane",
                   "GE-WLS, square of 8 x 8 cells at 20 offsets from the grid: most amplitude of "
                   "the invisible mode in 6000 steps",
-                  most_of_places(t, 2), 0.9, 1.1, 1.1, 1.5,
+                  select_max(t, "most", PLACES, "dim=2"), 0.9, 1.1, 1.1, 1.5,
                   "it grows by up to a quarter, and by more than a tenth at 11 offsets of 20, on "
                   "this coarse mesh; on 16 x 16 cells it had not grown after 1500 steps");
 }
@@ -227,12 +215,5 @@ static void check(Check *c, const Results *r)
     check_places(c, results_part(r, "places"));
 }
 
-const Study study_h_02_ringing = {
-    .name = "h_02_ringing",
-    .figure = "H-2",
-    .about = "particle velocities that the grid cannot see: kept, damped or amplified",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 9,
-};
+const StudyPage study_h_02_ringing = {
+    .cases = cases, .tables = tables, .check = check, .claims = 9};

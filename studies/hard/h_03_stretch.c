@@ -13,8 +13,6 @@
  * means that this particle shares no node with its neighbours. */
 #include <math.h>
 #include <string.h>
-#include "studies/tables/curves.h"
-#include "studies/runs/engines.h"
 #include "studies/runs/run_args.h"
 #include "studies/tables/grades.h"
 
@@ -56,20 +54,20 @@ static void add_forces(Cases *list, const char *method, int kind)
 static void cases(Cases *list, bool quick)
 {
     for (int k = quick ? 1 : 0; k < (quick ? 2 : KINDS); k++)
-        for (const Info *const *m = kinds[k].engine->methods; *m; m++)
+        EACH_METHOD(m, kinds[k].engine)
             for (int v = 0; v < VARIANTS; v++) {
                 const double dt = BLOCK_CFL / (kinds[k].cells * BLOCK_SPEED);
                 const double growth = log(1 + RATE * BLOCK_SPEED * dt);
                 const char *text =
                     phrase("run block --method %s --cells %d --ppc %d --set dim=%d --set rate=%g "
                            "--set box=6 --t-end %.17g%s",
-                           (*m)->name, kinds[k].cells, kinds[k].ppc, kinds[k].engine->dim, RATE,
+                           m->name, kinds[k].cells, kinds[k].ppc, kinds[k].engine->dim, RATE,
                            ceil(log(MOST) / growth) * dt, variants[v].setting);
                 if (v > 0 &&
-                    (!engine_has_grid(kinds[k].engine, (*m)->name) || !run_args_is_run("%s", text)))
+                    (!engine_has_grid(kinds[k].engine, m->name) || !run_args_is_run("%s", text)))
                     continue;
-                case_add_with(list, "history", part_name((*m)->name, k, v), "%s", text);
-                if (v == 0 && kinds[k].engine->dim == 1) add_forces(list, (*m)->name, k);
+                case_add_with(list, "history", part_name(m->name, k, v), "%s", text);
+                if (v == 0 && kinds[k].engine->dim == 1) add_forces(list, m->name, k);
             }
 }
 
@@ -116,37 +114,36 @@ static void write_one(FILE *curve, FILE *onset, const Table *t, const char *head
 static void write_all(FILE *curve, FILE *onset, const Results *r)
 {
     for (int k = 0; k < KINDS; k++)
-        for (const Info *const *m = kinds[k].engine->methods; *m; m++)
+        EACH_METHOD(m, kinds[k].engine)
             for (int v = 0; v < VARIANTS; v++) {
-                const char *part = part_name((*m)->name, k, v);
+                const char *part = part_name(m->name, k, v);
                 const Table *t = results_ended(r, "%s", part);
                 const char *status = "absent";
-                const double force = v ? NAN : force_inside(r, (*m)->name, k, &status);
+                const double force = v ? NAN : force_inside(r, m->name, k, &status);
                 if (t->nrow > 1)
                     write_one(curve, onset, t,
-                              phrase("%s,%s,%s", kinds[k].name, (*m)->name, variants[v].name),
+                              phrase("%s,%s,%s", kinds[k].name, m->name, variants[v].name),
                               results_status(r, part), force, status);
             }
 }
 
 static void write_marks(FILE *f, const Table *t)
 {
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
-        const double force =
-            fmax(select_ended(t, "force", "method=%s kind=bar1", (*m)->name).value,
-                 select_ended(t, "force", "method=%s kind=bar2", (*m)->name).value);
+    EACH_METHOD(m, &engine_2d) {
+        const double force = fmax(select_ended(t, "force", "method=%s kind=bar1", m->name).value,
+                                  select_ended(t, "force", "method=%s kind=bar2", m->name).value);
         double first = INFINITY;
         int ran = 0;
         for (int k = 0; k < KINDS; k++) {
             const char *where = "method=%s kind=%s variant=usual";
-            const double at = select_ended(t, "onset", where, (*m)->name, kinds[k].name).value;
-            const double end = select_ended(t, "reached", where, (*m)->name, kinds[k].name).value;
+            const double at = select_ended(t, "onset", where, m->name, kinds[k].name).value;
+            const double end = select_ended(t, "reached", where, m->name, kinds[k].name).value;
             ran += !isnan(end);
             if (end < 0.99 * MOST) first = fmin(first, end);
             if (at < first) first = at;
         }
         if (ran == 0) continue; /* in a quick run */
-        grade_add(f, "H-3", (*m)->name,
+        grade_add(f, "H-3", m->name,
                   !isinf(first)   ? MARK_LOST
                   : force > WRONG ? MARK_WEAK
                                   : MARK_OK,
@@ -243,12 +240,5 @@ static void check(Check *c, const Results *r)
     check_wls(c, t);
 }
 
-const Study study_h_03_stretch = {
-    .name = "h_03_stretch",
-    .figure = "H-3",
-    .about = "numerical fracture: a block is stretched evenly to four times its length",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 11,
-};
+const StudyPage study_h_03_stretch = {
+    .cases = cases, .tables = tables, .check = check, .claims = 11};

@@ -12,8 +12,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include "studies/tables/grades.h"
-#include "studies/tables/curves.h"
-#include "studies/runs/engines.h"
 #include "studies/runs/must.h"
 
 enum { RATIOS = 4, SCENES = 2, PLATE = 0, BEAM = 1, COARSE = 4, FINE = 32 };
@@ -47,9 +45,9 @@ static void cases(Cases *list, bool quick)
 {
     const int fine = quick ? FINE / 4 : FINE;
     for (int k = 0; k < RATIOS; k++) {
-        for (const Info *const *m = engine_2d.methods; *m; m++) {
-            add(list, PLATE, (*m)->name, 16, nus[k]);
-            add(list, BEAM, (*m)->name, COARSE, nus[k]);
+        EACH_METHOD(m, &engine_2d) {
+            add(list, PLATE, m->name, 16, nus[k]);
+            add(list, BEAM, m->name, COARSE, nus[k]);
         }
         add(list, BEAM, "fem", fine, nus[k]);
     }
@@ -159,7 +157,7 @@ static void write_line(FILE *f, const Results *r, int row)
 /* The cantilever at nu = .499: how far it bends beside the reference, within a tenth or a half. */
 static void write_marks(FILE *f, const Table *t)
 {
-    for (int row = -1; (row = select_next(t, row, "problem=cantilever nu=0.499")) >= 0;) {
+    EACH_ROW(row, t, "problem=cantilever nu=0.499") {
         const char *method = select_text(t, row, "method");
         const double ratio = select_kept(t, row, "ratio");
         if (isnan(ratio))
@@ -197,9 +195,9 @@ static Measure escaping(const Table *t, int scene)
 {
     Measure n = measure_sum_of(reaching[scene] + 1);
     double ratio, rough;
-    for (const Info *const *m = engine_2d.methods; *m; m++)
-        if (reached(t, scene, (*m)->name, "ratio", &ratio) &&
-            reached(t, scene, (*m)->name, "checkerboard", &rough))
+    EACH_METHOD(m, &engine_2d)
+        if (reached(t, scene, m->name, "ratio", &ratio) &&
+            reached(t, scene, m->name, "checkerboard", &rough))
             measure_add(&n, isnan(ratio + rough) ? NAN : ratio > 0.95 && rough < 1);
     return n;
 }
@@ -210,10 +208,9 @@ static void extremes(const Table *t, int scene, Measure *ratio, Measure *rough)
 {
     double x;
     *ratio = measure_min_of(reaching[scene]), *rough = measure_max_of(reaching[scene]);
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
-        if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
-        if (reached(t, scene, (*m)->name, "ratio", &x)) measure_add_min(ratio, x);
-        if (reached(t, scene, (*m)->name, "checkerboard", &x)) measure_add_max(rough, x);
+    EACH_GRID_METHOD(m, &engine_2d) {
+        if (reached(t, scene, m->name, "ratio", &x)) measure_add_min(ratio, x);
+        if (reached(t, scene, m->name, "checkerboard", &x)) measure_add_max(rough, x);
     }
 }
 
@@ -255,12 +252,5 @@ static void check(Check *c, const Results *r)
           10, INFINITY);
 }
 
-const Study study_h_04_locking = {
-    .name = "h_04_locking",
-    .figure = "H-4",
-    .about = "near incompressibility: displacement ratio and checkerboard pressure, every method",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 6,
-};
+const StudyPage study_h_04_locking = {
+    .cases = cases, .tables = tables, .check = check, .claims = 6};

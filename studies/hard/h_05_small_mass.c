@@ -21,10 +21,8 @@
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 #include <stdlib.h>
-#include "studies/tables/grades.h"
 #include "studies/tables/ladder.h"
 #include "studies/runs/must.h"
-#include "studies/tables/curves.h"
 
 enum { PER_CELL = 2, RUNGS = 8, DEPTHS = 6, EDGES = 3, DIMS = 2 };
 static const double rungs[RUNGS] = {0.0095, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6};
@@ -72,11 +70,11 @@ static void add_ladder(Cases *list, int dim, const char *method, int e, int d)
 static void cases(Cases *list, bool quick)
 {
     for (int dim = 0; dim < (quick ? 1 : DIMS); dim++)
-        for (const Info *const *m = scenes[dim].engine->methods; *m; m++)
+        EACH_METHOD(m, scenes[dim].engine)
             for (int e = 0; e < EDGES; e++)
                 for (int d = 0; d < DEPTHS; d++)
                     if (scenes[dim].depths >> d & 1 && !(quick && d != 2))
-                        add_ladder(list, dim, (*m)->name, e, d);
+                        add_ladder(list, dim, m->name, e, d);
 }
 
 /* The window of stable runs about the largest one: *low, *high are its ends among the rungs. False
@@ -162,12 +160,12 @@ static double two_over_omega(const char *method, double x)
 /* The least critical step over all depths and dimensions: .3 is the usual CFL number. */
 static void write_marks(FILE *f, const Table *t)
 {
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
+    EACH_METHOD(m, &engine_2d) {
         double least = INFINITY;
-        for (int row = -1; (row = select_next(t, row, "method=%s", (*m)->name)) >= 0;)
+        EACH_ROW(row, t, "method=%s", m->name)
             least = measure_lesser(least, select_number(t, row, "critical"));
         if (isinf(least)) continue;
-        grade_add(f, "H-5", (*m)->name, grade_mark_of(-least, -0.3, -0.1),
+        grade_add(f, "H-5", m->name, grade_mark_of(-least, -0.3, -0.1),
                   "an edge barely inside a cell limits the step to %.2g h/c", least);
     }
 }
@@ -180,11 +178,11 @@ static void tables(const Results *r)
     FILE *omega = results_write(r, "omega", "dim,method,edge,place,depth,two_over_omega");
     for (int k = 0; k < n; k++) write_point(points, r->rows, &ladders[k]);
     free(ladders);
-    for (const Info *const *m = engine_1d.methods; *m; m++)
+    EACH_METHOD(m, &engine_1d)
         for (int e = 0; e < EDGES; e++)
             for (int d = 0; d < DEPTHS; d++)
-                fprintf(omega, "1,%s,%s,%d,%g,%.6g\n", (*m)->name, edges[e].name, e, depths[d],
-                        two_over_omega((*m)->name, place(e, d)));
+                fprintf(omega, "1,%s,%s,%d,%g,%.6g\n", m->name, edges[e].name, e, depths[d],
+                        two_over_omega(m->name, place(e, d)));
     write_marks(grades_write(r), results_part(r, "points"));
 }
 
@@ -204,11 +202,7 @@ static Measure off_root(const Table *t, const char *what, int dim, const char *m
 /* Least value of a column for one method in 1D or 2D, over all placements of the block. */
 static Measure smallest(const Table *t, const char *what, int dim, const char *method)
 {
-    Curve curve;
-    Measure out = measure_min_of(EDGES * (dim == 1 ? DEPTHS : 2));
-    curve_pick(&curve, t, "depth", what, "dim=%d method=%s", dim, method);
-    for (int k = 0; k < curve.n; k++) measure_add_min(&out, curve.y[k]);
-    return out;
+    return select_min(t, what, EDGES * (dim == 1 ? DEPTHS : 2), "dim=%d method=%s", dim, method);
 }
 
 static const char forgets[] =
@@ -273,14 +267,5 @@ static void check(Check *check, const Results *r)
     check_floors(check, points, omega);
 }
 
-const Study study_h_05_small_mass = {
-    .name = "h_05_small_mass",
-    .figure = "H-5",
-    .about =
-        "a node that a body hardly touches: critical time step against how far it is into the cell",
-    .cases = cases,
-    .refine = refine,
-    .tables = tables,
-    .check = check,
-    .claims = 11,
-};
+const StudyPage study_h_05_small_mass = {
+    .cases = cases, .refine = refine, .tables = tables, .check = check, .claims = 11};

@@ -23,17 +23,16 @@ static const struct {
 
 static void cases(Cases *list, bool quick)
 {
-    for (const Info *const *m = engine_2d.methods; *m; m++)
-        for (int g = 0; g < 2 && engine_has_grid(&engine_2d, (*m)->name); g++)
+    EACH_GRID_METHOD(m, &engine_2d)
+        for (int g = 0; g < 2; g++)
             for (int k = 0; k < JITTERS; k += quick ? 5 : 1)
                 case_add(list, "run patch --method %s --cells %d --set jitter=%g --set grading=%s",
-                         (*m)->name, CELLS, jitters[k], gradings[g]);
+                         m->name, CELLS, jitters[k], gradings[g]);
     for (int s = 0; s < SCENES; s++)
-        for (const Info *const *m = scenes[s].engine->methods; *m; m++)
-            for (int k = quick ? FEW - 1 : 0;
-                 k < FEW && engine_has_grid(scenes[s].engine, (*m)->name); k++)
+        EACH_GRID_METHOD(m, scenes[s].engine)
+            for (int k = quick ? FEW - 1 : 0; k < FEW; k++)
                 case_add(list, "run %s --method %s --cells %d --ppc %.17g%s", scenes[s].problem,
-                         (*m)->name, CELLS, pow(few[k], scenes[s].engine->dim), scenes[s].settings);
+                         m->name, CELLS, pow(few[k], scenes[s].engine->dim), scenes[s].settings);
 }
 
 /* NAME.points.csv: case,problem,method,grading,x,error,status,fallbacks: x is the jitter, or the
@@ -85,11 +84,10 @@ static double fewest(const Table *t, const char *method)
 
 static void write_marks(FILE *f, const Table *t)
 {
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
-        const char *method = (*m)->name;
+    EACH_GRID_METHOD(m, &engine_2d) {
+        const char *method = m->name;
         const double e = curve_worst(t, method, 1, "error", "case=H-6").value;
         const double least = fewest(t, method);
-        if (!engine_has_grid(&engine_2d, method)) continue;
         grade_add(f, "H-6", method, grade_mark_of(e, 1e-12, 1),
                   e <= 1e-12 ? "linear fields exact from any particles"
                              : "a linear field off by up to %.2g from jittered, graded particles",
@@ -153,12 +151,4 @@ static void check(Check *c, const Results *r)
           select_value(t, "fallbacks", "case=H-7 problem=axis_mms method=wls x=1"), 1, 100);
 }
 
-const Study study_h_06_uneven = {
-    .name = "h_06_uneven",
-    .figure = "H-6",
-    .about = "uneven particles, and few of them: projection of a linear field, two waves",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 7,
-};
+const StudyPage study_h_06_uneven = {.cases = cases, .tables = tables, .check = check, .claims = 7};

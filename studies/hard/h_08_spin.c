@@ -61,10 +61,9 @@ static void add(Cases *list, int scene, const char *method, int variant, bool qu
 
 static void cases(Cases *list, bool quick)
 {
-    for (const Info *const *m = engine_2d.methods; *m; m++)
+    EACH_METHOD(m, &engine_2d)
         for (int s = 0; s < SCENES; s++)
-            for (int v = 0; v < (s == QUARTER ? 1 : VARIANTS); v++)
-                add(list, s, (*m)->name, v, quick);
+            for (int v = 0; v < (s == QUARTER ? 1 : VARIANTS); v++) add(list, s, m->name, v, quick);
 }
 
 /* What a file of particles says: means over volume, angular momentum then and now. */
@@ -144,8 +143,8 @@ static const char *loss_note(const Table *t, const char *method, const char *var
 
 static void write_marks(FILE *f, FILE *g, const Table *t)
 {
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
-        const char *method = (*m)->name;
+    EACH_METHOD(m, &engine_2d) {
+        const char *method = m->name;
         const double turned =
             select_ended(t, "turns", "method=%s scene=free variant=usual", method).value;
         const Mark spin = mark_of(t, SPIN_SCENE, method, "usual"),
@@ -205,12 +204,10 @@ static void tables(const Results *r)
 static Measure off_growth(const Table *t, const char *methods, int many)
 {
     Measure worst = measure_max_of(many);
-    for (int row = -1; (row = select_next(t, row, "scene=spin variant=usual")) >= 0;) {
-        char m[WORD_TEXT] = "";
-        const char *rest = methods;
-        while (select_word(&rest, m) && !select_is(t, row, "method", m)) continue;
-        if (methods[0] ? m[0] != '\0' : !select_is_lost(t, row))
-            measure_add_max(&worst, fabs(select_kept(t, row, "growth") - 1));
+    EACH_ROW(row, t, "scene=spin variant=usual") {
+        bool counts = !methods[0] && !select_is_lost(t, row);
+        EACH_WORD(m, methods) counts |= select_is(t, row, "method", m);
+        if (counts) measure_add_max(&worst, fabs(select_kept(t, row, "growth") - 1));
     }
     return worst;
 }
@@ -218,11 +215,9 @@ static Measure off_growth(const Table *t, const char *methods, int many)
 /* How many of four methods were lost in the free spin with boxes that follow the stretch. */
 static Measure lost_stretched(const Table *t)
 {
-    const char *rest = "gimp ge_gimp xpic fmpm";
     Measure lost = measure_sum_of(4);
-    for (char m[WORD_TEXT]; select_word(&rest, m);)
-        for (int row = -1;
-             (row = select_next(t, row, "scene=free variant=stretch method=%s", m)) >= 0;)
+    EACH_WORD(m, "gimp ge_gimp xpic fmpm")
+        EACH_ROW(row, t, "scene=free variant=stretch method=%s", m)
             measure_add(&lost, !select_is(t, row, "status", "ok"));
     return lost;
 }
@@ -284,12 +279,4 @@ static void check(Check *c, const Results *r)
     check_remedies(c, t);
 }
 
-const Study study_h_08_spin = {
-    .name = "h_08_spin",
-    .figure = "H-8",
-    .about = "large rotation: ten turns, imposed and free",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 10,
-};
+const StudyPage study_h_08_spin = {.cases = cases, .tables = tables, .check = check, .claims = 10};

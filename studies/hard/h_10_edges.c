@@ -14,11 +14,10 @@ static const int meshes[MESHES] = {16, 32, 64, 128};
 static void cases(Cases *list, bool quick)
 {
     for (int b = 0; b < BODIES; b++)
-        for (const Info *const *m = engine_2d.methods; *m; m++)
-            for (int k = 0; k < (quick ? 2 : MESHES) && engine_has_grid(&engine_2d, (*m)->name);
-                 k++)
+        EACH_GRID_METHOD(m, &engine_2d)
+            for (int k = 0; k < (quick ? 2 : MESHES); k++)
                 case_add(list, "run patch --method %s --cells %d --set body=%s --set edges=1",
-                         (*m)->name, meshes[k], bodies[b]);
+                         m->name, meshes[k], bodies[b]);
 }
 
 /* NAME.edges.csv: body,method,status,error,order,fallbacks,meshes: error on the finest mesh, order
@@ -26,29 +25,28 @@ static void cases(Cases *list, bool quick)
 static void write_edges(FILE *f, const Table *rows)
 {
     for (int b = 0; b < BODIES; b++)
-        for (const Info *const *m = engine_2d.methods; *m; m++) {
+        EACH_METHOD(m, &engine_2d) {
             double h[MESHES], e[MESHES], fallbacks = 0;
             const char *status = "ok";
             int n = 0;
             for (int row = -1; n < MESHES && (row = select_next(rows, row, "method=%s body=%s",
-                                                                (*m)->name, bodies[b])) >= 0;) {
+                                                                m->name, bodies[b])) >= 0;) {
                 if (select_is_lost(rows, row)) status = select_text(rows, row, "status");
                 h[n] = select_number(rows, row, "h");
                 e[n++] = select_number(rows, row, "error_linf");
                 fallbacks = measure_worse(fallbacks, select_number(rows, row, "fallbacks"));
             }
             if (n > 0)
-                fprintf(f, "%s,%s,%s,%.10g,%.6g,%g,%d\n", bodies[b], (*m)->name, status, e[n - 1],
+                fprintf(f, "%s,%s,%s,%.10g,%.6g,%g,%d\n", bodies[b], m->name, status, e[n - 1],
                         curve_slope(n, h, e), fallbacks, n);
         }
 }
 
 static void write_marks(FILE *f, const Table *t)
 {
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
-        const double e = curve_worst(t, (*m)->name, 1, "error", "status=ok").value;
-        if (!engine_has_grid(&engine_2d, (*m)->name)) continue;
-        grade_add(f, "H-10", (*m)->name, grade_mark_of(e, 1e-12, 1),
+    EACH_GRID_METHOD(m, &engine_2d) {
+        const double e = curve_worst(t, m->name, 1, "error", "status=ok").value;
+        grade_add(f, "H-10", m->name, grade_mark_of(e, 1e-12, 1),
                   e <= 1e-12 ? "linear fields exact at edges, corners, gaps"
                              : "at edges off by O(h): %.2g on the finest mesh",
                   e);
@@ -66,8 +64,8 @@ static void tables(const Results *r)
 static Measure lost(const Table *rows)
 {
     int runs = 0;
-    for (const Info *const *m = engine_2d.methods; *m; m++)
-        if (!(*m)->on_request && engine_has_grid(&engine_2d, (*m)->name)) runs += BODIES * MESHES;
+    EACH_GRID_METHOD(m, &engine_2d)
+        if (!m->on_request) runs += BODIES * MESHES;
     return select_count_lost(rows, runs, "");
 }
 
@@ -112,12 +110,4 @@ static void check(Check *c, const Results *r)
           order(t, "wls"), 0.5, 1.2);
 }
 
-const Study study_h_10_edges = {
-    .name = "h_10_edges",
-    .figure = "H-10",
-    .about = "where a body ends: edges, a thin strip, a concave corner, two surfaces in a cell",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 6,
-};
+const StudyPage study_h_10_edges = {.cases = cases, .tables = tables, .check = check, .claims = 6};

@@ -9,19 +9,19 @@
 #include <string.h>
 #include "studies/tables/grades.h"
 
-enum { SCENES = 2, MESHES = 2, VARIANTS = 2, SHOWN = 5, EVERY = 20 };
+enum { SCENES = 2, MESHES = 2, VARIANTS = 2, EVERY = 20 };
 static const struct {
     const char *problem;
     double t_end;
     int cells[MESHES];
 } scenes[SCENES] = {{"ring", 0.4, {16, 32}}, {"disk_impact", 20, {24, 48}}};
-static const char *const shown[SHOWN] = {"gimp", "bspline", "wls", "wls2", "ge_wls"};
+static const char shown[] = "gimp bspline wls wls2 ge_wls";
 static const char *const variants[VARIANTS] = {"usual", "spline"};
 
 static bool is_shown(const char *method)
 {
-    for (int k = 0; k < SHOWN; k++)
-        if (strcmp(method, shown[k]) == 0) return true;
+    EACH_WORD(m, shown)
+        if (strcmp(method, m) == 0) return true;
     return false;
 }
 
@@ -59,9 +59,9 @@ static void cases(Cases *list, bool quick)
 {
     for (int s = 0; s < SCENES; s++)
         for (int k = 0; k < (quick ? 1 : MESHES); k++)
-            for (const Info *const *m = engine_2d.methods; *m; m++)
+            EACH_METHOD(m, &engine_2d)
                 for (int v = 0; v < VARIANTS; v++)
-                    if (has_variant(*m, v)) add(list, s, *m, k, v, quick);
+                    if (has_variant(m, v)) add(list, s, m, k, v, quick);
 }
 
 /* A method on all meshes of a scene: the largest gain and loss of the ledger, and how many of n
@@ -74,8 +74,7 @@ typedef struct Long {
 static Long long_runs(const Table *rows, int scene, const Info *method, int variant)
 {
     Long out = {-INFINITY, -INFINITY, 0, 0};
-    for (int row = -1; (row = select_next(rows, row, "method=%s problem=%s", method->name,
-                                          scenes[scene].problem)) >= 0;) {
+    EACH_ROW(row, rows, "method=%s problem=%s", method->name, scenes[scene].problem) {
         const bool spline = select_meets(rows, row, "return=spline");
         const double drift = select_number(rows, row, "energy_drift");
         if (spline != is_spline(method, variant)) continue;
@@ -127,14 +126,14 @@ static void write_one(FILE *drift, FILE *grades, FILE *remedies, const Table *ro
 static void write_ledger(FILE *f, const Results *r)
 {
     for (int s = 0; s < SCENES; s++)
-        for (int m = 0; m < SHOWN; m++)
+        EACH_WORD(m, shown)
             for (int v = 0; v < VARIANTS; v++) {
-                const Table *t = results_ended(r, "%s", part_name(s, shown[m], v));
+                const Table *t = results_ended(r, "%s", part_name(s, m, v));
                 double most = 0;
                 for (int k = 0; k < t->nrow; k++)
                     most = measure_worse(most, select_number(t, k, "total"));
                 for (int k = 0; k < t->nrow; k += EVERY)
-                    fprintf(f, "%s,%s,%s,%.6g,%.6g\n", scenes[s].problem, shown[m], variants[v],
+                    fprintf(f, "%s,%s,%s,%.6g,%.6g\n", scenes[s].problem, m, variants[v],
                             select_number(t, k, "t"),
                             (select_number(t, k, "total") - select_number(t, k, "external_work") -
                              select_number(t, 0, "total")) /
@@ -147,16 +146,15 @@ static void tables(const Results *r)
     FILE *drift = results_write(r, "drift", "problem,method,variant,lost,gain,loss,runs,status");
     FILE *grades = grades_write(r), *remedies = grades_write_remedies(r);
     write_ledger(results_write(r, "ledger", "problem,method,variant,t,ledger"), r);
-    for (const Info *const *m = engine_2d.methods; *m; m++)
-        if (long_runs(r->rows, 0, *m, 0).n > 0) write_one(drift, grades, remedies, r->rows, *m);
+    EACH_METHOD(m, &engine_2d)
+        if (long_runs(r->rows, 0, m, 0).n > 0) write_one(drift, grades, remedies, r->rows, m);
 }
 
 /* Most runs lost of a method and scene, over those methods; all runs must be there. */
 static Measure most_lost(const Table *t, const char *methods, const char *where, int each)
 {
-    char m[WORD_TEXT];
     Measure lost = measure_max_of(0);
-    while (select_word(&methods, m)) {
+    EACH_WORD(m, methods) {
         Measure own = measure_max_of(each);
         for (int s = 0; s < SCENES; s++) {
             const Measure one = select_ended(t, "lost", "method=%s problem=%s runs=%d %s", m,
@@ -204,12 +202,4 @@ static void check(Check *c, const Results *r)
           most_lost(t, "wls2", "problem=disk_impact variant=spline", 1), 0, 0);
 }
 
-const Study study_h_13_long = {
-    .name = "h_13_long",
-    .figure = "H-13",
-    .about = "long runs: twenty periods of the ring, the disk to t = 20",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 8,
-};
+const StudyPage study_h_13_long = {.cases = cases, .tables = tables, .check = check, .claims = 8};

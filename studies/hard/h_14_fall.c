@@ -14,14 +14,14 @@ static const char *const integrators[INTEGRATORS] = {"cd", "uvf", "musl", "usl",
 static void cases(Cases *list, bool quick)
 {
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
-        for (const Info *const *m = (*e)->methods; *m; m++)
-            for (int k = 0; k < (engine_has_grid(*e, (*m)->name) ? INTEGRATORS : 1); k++)
+        EACH_METHOD(m, *e)
+            for (int k = 0; k < (engine_has_grid(*e, m->name) ? INTEGRATORS : 1); k++)
                 case_add(
                     list,
                     "run block --method %s --integrator %s --set dim=%d --set gravity=%d --set "
                     "offset_x=0.3 --set offset_y=0.2 --set refresh=%d --set allow_unstable=1 "
                     "--set steps=%d",
-                    (*m)->name, integrators[k], (*e)->dim, GRAVITY, engine_has_grid(*e, (*m)->name),
+                    m->name, integrators[k], (*e)->dim, GRAVITY, engine_has_grid(*e, m->name),
                     quick ? 20 : 100);
 }
 
@@ -39,9 +39,9 @@ static Measure worst(const Table *rows, const char *method, int from, int to)
 {
     Measure most = measure_max_of(0);
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
-        for (const Info *const *m = (*e)->methods; *m; m++)
-            for (int k = from; k < to && (k == 0 || engine_has_grid(*e, (*m)->name)); k++)
-                most.needs += method ? strcmp(method, (*m)->name) == 0 : !(*m)->on_request;
+        EACH_METHOD(m, *e)
+            for (int k = from; k < to && (k == 0 || engine_has_grid(*e, m->name)); k++)
+                most.needs += method ? strcmp(method, m->name) == 0 : !m->on_request;
     for (int row = 0; row < rows->nrow; row++)
         for (int k = from; k < to; k++)
             if ((!method || select_is(rows, row, "method", method)) &&
@@ -53,9 +53,9 @@ static Measure worst(const Table *rows, const char *method, int from, int to)
 static void tables(const Results *r)
 {
     FILE *f = grades_write(r);
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
-        const double e = worst(r->rows, (*m)->name, 0, WHOLE).value;
-        grade_add(f, "H-14", (*m)->name, grade_mark_of(e, 1e-12, 1e-3), "off by %.1g m", e);
+    EACH_METHOD(m, &engine_2d) {
+        const double e = worst(r->rows, m->name, 0, WHOLE).value;
+        grade_add(f, "H-14", m->name, grade_mark_of(e, 1e-12, 1e-3), "off by %.1g m", e);
     }
 }
 
@@ -72,12 +72,4 @@ static void check(Check *c, const Results *r)
         worst(r->rows, NULL, WHOLE, INTEGRATORS), 0, 1e-9);
 }
 
-const Study study_h_14_fall = {
-    .name = "h_14_fall",
-    .figure = "H-14",
-    .about = "a block falls freely from rest: the first step of every method and integrator",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 2,
-};
+const StudyPage study_h_14_fall = {.cases = cases, .tables = tables, .check = check, .claims = 2};

@@ -7,10 +7,8 @@
  * and FEM; those whose stencils follow the particles' boxes once for each rule of half widths. */
 #include <math.h>
 #include <string.h>
-#include "studies/runs/engines.h"
 #include "studies/runs/run_args.h"
 #include "studies/tables/grades.h"
-#include "studies/tables/curves.h"
 
 enum { RULES = 3, END = RULES, TURNS = 4, MESHES = 4, FINE = 24, WHOLE = 3 };
 static const char *const rules[RULES + 1] = {"fxx", "stretch", "undeformed", "end"};
@@ -46,15 +44,15 @@ static void cases(Cases *list, bool quick)
     for (int k = 0; k < WHOLE; k++)
         case_add_with(list, "particles", phrase("bar.%s.%s", whole[k], rules[END]),
                       "run hanging_bar --method %s --cfl .1", whole[k]);
-    for (const Info *const *m = engine_2d.methods; *m; m++)
+    EACH_METHOD(m, &engine_2d)
         for (int rule = 0; rule < RULES; rule++) {
-            if (!takes((*m)->name, rule)) continue;
+            if (!takes(m->name, rule)) continue;
             for (int k = 0; k < (quick ? 2 : MESHES); k++)
-                vortex_add(list, (*m)->name, rule, meshes[k], 0.5);
+                vortex_add(list, m->name, rule, meshes[k], 0.5);
             for (int k = 0; k < TURNS; k++)
                 if (turns[k] < 0.5 || turns[k] > 0.5)
-                    vortex_add(list, (*m)->name, rule, quick ? 8 : FINE, turns[k]);
-            bar_add(list, (*m)->name, rule);
+                    vortex_add(list, m->name, rule, quick ? 8 : FINE, turns[k]);
+            bar_add(list, m->name, rule);
         }
 }
 
@@ -185,9 +183,8 @@ static Measure error_at(const Table *grid, const char *method, const char *rule,
 /* How many of the named are lost in a column of the grid (3: the vortex at G = 1; 4: the bar). */
 static Measure lost(const Table *grid, const char *methods, const char *rule, int column)
 {
-    char m[WORD_TEXT];
     Measure n = measure_sum_of(0);
-    while (select_word(&methods, m)) {
+    EACH_WORD(m, methods) {
         const Measure grade =
             select_value(grid, "grade", "method=%s rule=%s column=%d", m, rule, column);
         n = measure_sum(n, measure_with(grade, grade.value > 2));
@@ -280,13 +277,8 @@ static void check(Check *c, const Results *r)
     check_made_for_it(c, r, grid);
 }
 
-const Study study_h_15_large_deformation = {
-    .name = "h_15_large_deformation",
-    .figure = "H-15",
-    .about = "large shear, rotation and stretch: who survives, and which particle boxes help",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .also = "tlmpm,cpdi,cpdi2,mls_mpm",
-    .claims = 15,
-};
+const StudyPage study_h_15_large_deformation = {.cases = cases,
+                                                .tables = tables,
+                                                .check = check,
+                                                .claims = 15,
+                                                .also = "tlmpm,cpdi,cpdi2,mls_mpm"};

@@ -194,12 +194,5 @@ static void check(Check *c, const Results *r)
     check_scenes(c, r);
 }
 
-const Study study_t_01_ge_wls = {
-    .name = "t_01_ge_wls",
-    .figure = "T-1b",
-    .about = "GE-WLS beside FEM at equal mesh size: where it is better and where not",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 16,
-};
+const StudyPage study_t_01_ge_wls = {
+    .cases = cases, .tables = tables, .check = check, .claims = 16};

@@ -87,11 +87,10 @@ static void cases(Cases *list, bool quick)
 /* A number of GE-WLS without this part. */
 static Measure value_of(const Table *rows, const char *problem, int n, int part, const char *column)
 {
-    char where[256];
-    int end = snprintf(where, sizeof where, "problem=%s method=ge_wls cells=%d", problem, n);
+    const char *where = phrase("problem=%s method=ge_wls cells=%d", problem, n);
     for (int k = 0; k < PARTS; k++)
-        end += snprintf(where + end, sizeof where - (size_t)end, " %s=%s", parts[k].setting,
-                        k == part ? parts[k].without : parts[k].with);
+        where = phrase("%s %s=%s", where, parts[k].setting,
+                       k == part ? parts[k].without : parts[k].with);
     const Measure m = select_value(rows, column, "%s", where);
     return measure_with(m, fabs(m.value));
 }
@@ -154,8 +153,7 @@ static void check_parts(Check *c, const Table *gains)
     for (int part = 0; part < PARTS; part++) {
         Measure most = measure_max_of(SCENES);
         for (int s = 0; s < SCENES; s++)
-            for (int row = -1; (row = select_next(gains, row, "part=%s what=%s", part_label(part),
-                                                  scenes[s].problem)) >= 0;)
+            EACH_ROW(row, gains, "part=%s what=%s", part_label(part), scenes[s].problem)
                 measure_add_max(&most, select_number(gains, row, "value"));
         claim(
             c, phrase("T-1c.%s", parts[part].setting),
@@ -182,12 +180,4 @@ static void check(Check *c, const Results *r)
           history_end(r, BLOCK, "wls2-2"), 0.9, 1.1);
 }
 
-const Study study_t_01_parts = {
-    .name = "t_01_parts",
-    .figure = "T-1c",
-    .about = "GE-WLS with one part removed at a time: what each part buys, on seven scenes",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 10,
-};
+const StudyPage study_t_01_parts = {.cases = cases, .tables = tables, .check = check, .claims = 10};

@@ -11,7 +11,6 @@
 #include <string.h>
 #include "studies/tables/effort.h"
 #include "studies/tables/curves.h"
-#include "studies/runs/engines.h"
 #include "studies/runs/run_args.h"
 
 enum { REPEATS = 2, PPCS = 3, MOST_MESHES = 8, USUAL = 1, INTEGRATORS = 5 };
@@ -79,10 +78,9 @@ typedef struct Ask {
 /* The run's own command with everything spelled out; false if it is refused. */
 static bool resolved(const Ask *a, const char *options, char command[SPEC_TEXT])
 {
-    char text[SPEC_TEXT];
+    const char *text = phrase("run %s --method %s%s", a->ladder->run, a->method, options);
     const Engine *engine;
     RunSpec spec;
-    snprintf(text, sizeof text, "run %s --method %s%s", a->ladder->run, a->method, options);
     if (run_args_resolve(text, &spec, &engine, NULL)) return false;
     spec_command(&spec, command);
     return true;
@@ -101,11 +99,11 @@ static void ladder_add(const Ask *a, int meshes, const char *options)
 static void others_add(const Ask *a, int meshes, const char *option, const char *const words[],
                        int n)
 {
-    char options[128], ppc[64], usual[SPEC_TEXT], command[SPEC_TEXT];
-    snprintf(ppc, sizeof ppc, " --ppc %s", a->ladder->ppc[USUAL]);
+    const char *ppc = phrase(" --ppc %s", a->ladder->ppc[USUAL]);
+    char usual[SPEC_TEXT], command[SPEC_TEXT];
     if (!resolved(a, ppc, usual)) return;
     for (int k = 0; k < n; k++) {
-        snprintf(options, sizeof options, "%s%s%s", ppc, option, words[k]);
+        const char *options = phrase("%s%s%s", ppc, option, words[k]);
         if (resolved(a, options, command) && strcmp(command, usual) != 0)
             ladder_add(a, meshes, options);
     }
@@ -114,15 +112,13 @@ static void others_add(const Ask *a, int meshes, const char *option, const char 
 static void method_add(const Ask *a)
 {
     static const char *const layouts[] = {"cartesian", "radial"};
-    char options[128];
     if (!engine_has_grid(a->ladder->engine, a->method)) { /* it has no particles */
         ladder_add(a, a->ladder->fem, "");
         return;
     }
-    for (int p = 0; p < PPCS; p++) {
-        snprintf(options, sizeof options, " --ppc %s", a->ladder->ppc[p]);
-        if (!a->brief || p == USUAL) ladder_add(a, a->ladder->meshes[p] - a->brief, options);
-    }
+    for (int p = 0; p < PPCS; p++)
+        if (!a->brief || p == USUAL)
+            ladder_add(a, a->ladder->meshes[p] - a->brief, phrase(" --ppc %s", a->ladder->ppc[p]));
     const int meshes = a->ladder->meshes[USUAL] - a->brief;
     if (a->ladder->layouts) others_add(a, meshes, " --set layout=", layouts, 2);
     if (a->ladder->moves && !a->brief)
@@ -131,9 +127,9 @@ static void method_add(const Ask *a)
 
 static void ladder_add_methods(Cases *list, const Ladder *ladder, int repeat, bool quick)
 {
-    for (const Info *const *m = ladder->engine->methods; *m; m++)
-        if (!ladder->tried || !(*m)->on_request)
-            method_add(&(Ask){list, ladder, (*m)->name, repeat, quick, (*m)->on_request});
+    EACH_METHOD(m, ladder->engine)
+        if (!ladder->tried || !m->on_request)
+            method_add(&(Ask){list, ladder, m->name, repeat, quick, m->on_request});
 }
 
 static void cases(Cases *list, bool quick)
@@ -199,14 +195,9 @@ static void check(Check *c, const Results *r)
           measure_ratio(at_ring(r, "mls_mpm", "error"), at_ring(r, "apic", "error")), 0.5, 1);
 }
 
-const Study study_t_02_work_precision = {
-    .name = "t_02_work_precision",
-    .figure = "T-2",
-    .about = "speed against error: every method and FEM on every problem with an exact solution",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 5,
-    .also = "mls_mpm,bspline3,tlmpm,cpdi,cpdi2",
-    .timed = true,
-};
+const StudyPage study_t_02_work_precision = {.cases = cases,
+                                             .tables = tables,
+                                             .check = check,
+                                             .claims = 5,
+                                             .timed = true,
+                                             .also = "mls_mpm,bspline3,tlmpm,cpdi,cpdi2"};

@@ -12,7 +12,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include "studies/tables/ladder.h"
-#include "studies/tables/curves.h"
 #include "studies/tables/stability.h"
 
 enum { STALE = 16 }; /* lines of pairs with a stale gradient */
@@ -39,10 +38,10 @@ static void add_ladders(Cases *list, const Map *map, const char *method, Pair pa
 static void cases(Cases *list, bool quick)
 {
     for (const Map *map = stability_maps; map < stability_maps + MAPS; map++)
-        for (const Info *const *m = map->engine->methods; *m; m++)
+        EACH_METHOD(m, map->engine)
             for (int k = 0; k < PAIRS; k++)
-                if (stability_has_pair(map, (*m)->name, k))
-                    add_ladders(list, map, (*m)->name, pairs[k], quick);
+                if (stability_has_pair(map, m->name, k))
+                    add_ladders(list, map, m->name, pairs[k], quick);
 }
 
 /* CFL number below which a ladder is not followed. */
@@ -70,11 +69,6 @@ static void refine(Cases *list, const Table *rows, bool quick)
         }
     }
     free(ladders);
-}
-
-static void tables(const Results *r)
-{
-    stability_tables(r);
 }
 
 /* The least limit over PPC of a pair in 1D. */
@@ -173,13 +167,5 @@ static void check(Check *c, const Results *r)
           best_stale(worst), 0, 0);
 }
 
-const Study study_t_04_stability = {
-    .name = "t_04_stability",
-    .figure = "T-4",
-    .about = "stability maps: CFL x PPC x amplitude, largest stable CFL of every pair, 1D and 2D",
-    .cases = cases,
-    .refine = refine,
-    .tables = tables,
-    .check = check,
-    .claims = 16,
-};
+const StudyPage study_t_04_stability = {
+    .cases = cases, .refine = refine, .tables = stability_tables, .check = check, .claims = 16};

@@ -12,7 +12,6 @@
  * loses .14 % instead of .07 %. */
 #include <math.h>
 #include <string.h>
-#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
 #include "studies/tables/pairs.h"
 
@@ -29,13 +28,13 @@ static void cases(Cases *list, bool quick)
 {
     double t_end = (quick ? 1 : 10) * period;
     for (int s = 0; s < SCENES; s++)
-        for (const Info *const *m = scenes[s].engine->methods; *m; m++)
+        EACH_METHOD(m, scenes[s].engine)
             for (int k = 0; k < PAIRS; k++)
-                if (pair_is_run(scenes[s].engine, scenes[s].problem, (*m)->name, pairs[k]))
+                if (pair_is_run(scenes[s].engine, scenes[s].problem, m->name, pairs[k]))
                     case_add(list,
                              "run %s%s --cfl .1 --method %s --integrator %s --t-end %.17g --set "
                              "allow_unstable=1 --set refresh=%d",
-                             scenes[s].problem, scenes[s].settings, (*m)->name, pairs[k].integrator,
+                             scenes[s].problem, scenes[s].settings, m->name, pairs[k].integrator,
                              t_end, pairs[k].refresh);
 }
 
@@ -54,19 +53,8 @@ static int grade(const Table *rows, int row)
     return drift <= 0.001 ? 0 : drift <= 0.05 ? 1 : 2;
 }
 
-/* The method's line in the figure. */
-static int line_of(const Table *rows, int row)
-{
-    return engine_line(scenes[dim_of(rows, row) - 1].engine, select_text(rows, row, "method"));
-}
-
-/* E/E0 at the end. The column is (E - E0) over the largest energy, which is E if energy was gained
- * and E0 if it was lost. */
-static double energy_ratio(double drift)
-{
-    return drift > 0 ? 1 / (1 - drift) : 1 + drift;
-}
-
+/* The energy at the end over E0. The column `energy_drift` is (E - E0) over the largest energy,
+ * which is E if energy was gained and E0 if it was lost. */
 static void write_cell(FILE *f, const Table *rows, int row)
 {
     double end = select_number(rows, row, "steps") * select_number(rows, row, "dt") / period;
@@ -74,9 +62,11 @@ static void write_cell(FILE *f, const Table *rows, int row)
     const double drift = select_number(rows, row, "energy_drift");
     const int shade = g == 0 || g == 3 ? g : drift > 0 ? 3 + g : g; /* 4, 5: gained */
     fprintf(f, "%d,%s,%s%s,%d,%d,%d,%d,", dim_of(rows, row), select_text(rows, row, "method"),
-            pairs[k].integrator, pairs[k].refresh ? " fresh" : "", k, line_of(rows, row), g, shade);
+            pairs[k].integrator, pairs[k].refresh ? " fresh" : "", k,
+            engine_line(scenes[dim_of(rows, row) - 1].engine, select_text(rows, row, "method")), g,
+            shade);
     if (g < 3) {
-        fprintf(f, "%.4g\n", energy_ratio(drift));
+        fprintf(f, "%.4g\n", drift > 0 ? 1 / (1 - drift) : 1 + drift);
         return;
     }
     for (const char *c = select_text(rows, row, "status"); *c; c++) putc(*c == '_' ? ' ' : *c, f);
@@ -186,12 +176,5 @@ static void check(Check *c, const Results *r)
     check_plane(c, r);
 }
 
-const Study study_t_05_compatibility = {
-    .name = "t_05_compatibility",
-    .figure = "T-5",
-    .about = "method x integrator x gradient enhancement: ten periods of standing waves, 1D and 2D",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 12,
-};
+const StudyPage study_t_05_compatibility = {
+    .cases = cases, .tables = tables, .check = check, .claims = 12};

@@ -263,12 +263,4 @@ static void check(Check *c, const Results *r)
     check_tables(c, t, same);
 }
 
-const Study study_t_06_norms = {
-    .name = "t_06_norms",
-    .figure = "T-6",
-    .about = "one run, six norms, six orders: how the norm changes the verdict; and at same points",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 11,
-};
+const StudyPage study_t_06_norms = {.cases = cases, .tables = tables, .check = check, .claims = 11};

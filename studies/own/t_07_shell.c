@@ -6,7 +6,6 @@
  * others; its body force is taken at the nodes, or integrated over the elements. */
 #include <math.h>
 #include <string.h>
-#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
 
 static const int cells[] = {8, 12, 16, 24, 32};
@@ -17,19 +16,17 @@ enum { MESHES = sizeof cells / sizeof *cells };
  * times as long as GIMP. */
 static int meshes_of(const char *method)
 {
-    static const char *const finest[] = {"gimp", "ge_gimp", "fem"}, *const finer[] = {"mpm",
-                                                                                      "bspline"};
-    for (int k = 0; k < 3; k++)
-        if (strcmp(method, finest[k]) == 0) return MESHES;
-    for (int k = 0; k < 2; k++)
-        if (strcmp(method, finer[k]) == 0) return MESHES - 1;
+    EACH_WORD(m, "gimp ge_gimp fem")
+        if (strcmp(method, m) == 0) return MESHES;
+    EACH_WORD(m, "mpm bspline")
+        if (strcmp(method, m) == 0) return MESHES - 1;
     return MESHES - 2;
 }
 
 static void cases(Cases *list, bool quick)
 {
-    for (const Info *const *m = engine_3d.methods; *m; m++) {
-        const char *method = (*m)->name;
+    EACH_METHOD(m, &engine_3d) {
+        const char *method = m->name;
         const bool mesh = !engine_has_grid(&engine_3d, method);
         const int meshes = quick ? 2 : meshes_of(method);
         for (int k = 0; k < (quick ? 2 : MESHES); k++)
@@ -117,8 +114,8 @@ static void check(Check *c, const Results *r)
     check_fem(c, t);
     claim(c, "T-7.mpm-order", "MPM does not converge on the shell",
           order(t, "mpm", "", 24, MESHES - 1), -1, 0.5);
-    for (const Info *const *m = engine_3d.methods; *m; m++) {
-        const char *method = (*m)->name;
+    EACH_METHOD(m, &engine_3d) {
+        const char *method = m->name;
         const char *body = engine_has_grid(&engine_3d, method) ? "" : "nodes";
         const int meshes = meshes_of(method);
         claim_note(
@@ -130,11 +127,4 @@ static void check(Check *c, const Results *r)
     }
 }
 
-const Study study_t_07_shell = {
-    .name = "t_07_shell",
-    .figure = "T-7",
-    .about = "shell in 3D beside the ring: convergence of every method that runs there, and FEM",
-    .cases = cases,
-    .check = check,
-    .claims = 22,
-};
+const StudyPage study_t_07_shell = {.cases = cases, .check = check, .claims = 22};

@@ -61,13 +61,5 @@ static void check(Check *c, const Results *r)
           effort_ratio(r, target, "work", "ge_wls", "fem"), 0.1, 3);
 }
 
-const Study study_t_08_shell_cost = {
-    .name = "t_08_shell_cost",
-    .figure = "T-8",
-    .about = "shell in 3D: speed against error for particle methods, WLS and FEM",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 6,
-    .timed = true,
-};
+const StudyPage study_t_08_shell_cost = {
+    .cases = cases, .tables = tables, .check = check, .claims = 6, .timed = true};

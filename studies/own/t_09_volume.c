@@ -3,7 +3,6 @@
  * that of the polyhedra whose faces a run writes (--patches), curved ones by the triangles of their
  * fans: not the mass of the nodes, which is an integral of a fitted density. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include "common/base/solid.h"
 #include "studies/tables/curves.h"
@@ -37,11 +36,11 @@ static double triple(const double a[3], const double b[3], const double c[3])
  * k = 0, 1, ... in a file of patches; NAN if it cannot be read. */
 static double volume_error(const Results *r, int rule, int n)
 {
-    char *path = results_path(r, phrase("%s.%d", rules[rule], n)), line[256];
+    const char *path = results_path(r, phrase("%s.%d", rules[rule], n));
+    char line[256];
     double sum = 0, first[3] = {0}, last[3] = {0}, x[3];
     int cell, k, cut, lines = 0;
     FILE *f = path ? fopen(path, "r") : NULL;
-    free(path);
     while (f && fgets(line, sizeof line, f)) {
         if (sscanf(line, "%d,%d,%lf,%lf,%d,%lf", &cell, &k, &x[0], &x[1], &cut, &x[2]) != 6)
             continue;
@@ -169,9 +168,7 @@ static void check(Check *c, const Results *r)
     double worst = 0;
     const Table *t = results_part(r, "volume");
     for (int rule = 0; rule < RULES; rule++) {
-        Curve curve;
-        curve_pick(&curve, t, "cells", "error", "rule=%s", rules[rule]);
-        const Measure order = measure_times(curve_order(&curve, 8, 24, MESHES), -1);
+        const Measure order = curve_order_in_h(t, "error", 8, 24, MESHES, "rule=%s", rules[rule]);
         claim(c, phrase("T-9.%s", rules[rule]),
               phrase("Volume of a shell's cells, order of its error, N = 8 to 24: %s", names[rule]),
               order, low[rule], high[rule]);
@@ -193,12 +190,4 @@ static void check(Check *c, const Results *r)
         measure_formula(worst), 0, 1e-15);
 }
 
-const Study study_t_09_volume = {
-    .name = "t_09_volume",
-    .figure = "T-9",
-    .about = "marching cubes: the fifteen cases, and the volume of a shell by distance rule",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 7,
-};
+const StudyPage study_t_09_volume = {.cases = cases, .tables = tables, .check = check, .claims = 7};

@@ -75,7 +75,7 @@ static void tables(const Results *r)
     for (int k = 0; k < RUNS; k++) {
         const Table *t = results_ended(r, "%s", runs[k].part);
         const double numbers[] = {runs[k].at, largest_error(t), jump(t, runs[k].at),
-                                  t->nrow > 0 ? select_number(t, t->nrow - 1, "t") : NAN};
+                                  select_last(t, "t")};
         fprintf(f, "%s,%s,", runs[k].scene, runs[k].part);
         for (int n = 0; n < 4; n++) info_number_write(f, numbers[n]), putc(',', f);
         fprintf(f, "%s\n", results_status(r, runs[k].part));
@@ -114,12 +114,5 @@ static void check(Check *c, const Results *r)
           1.7, 2.2);
 }
 
-const Study study_t_10_handover = {
-    .name = "t_10_handover",
-    .figure = "T-10",
-    .about = "hand-over from WLS2 to GIMP during a run: ring, vortex, hanging bar",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 5,
-};
+const StudyPage study_t_10_handover = {
+    .cases = cases, .tables = tables, .check = check, .claims = 5};

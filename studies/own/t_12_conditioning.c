@@ -4,7 +4,6 @@
  * particles, as the only test. Error, spurious nodes of a step, and which runs are lost. One
  * particle per cell on the lattice is too little for the published method with any of them. */
 #include <math.h>
-#include <string.h>
 #include "studies/tables/curves.h"
 
 static const double triggers[] = {0.02, 0.05, 0.08, 0.12, 0.18, 0.25, 0.35, 0.5};
@@ -32,11 +31,6 @@ static void cases(Cases *list, bool quick)
             }
 }
 
-static const char *layout_of(const Table *t, int row)
-{
-    return layouts[select_is(t, row, "problem", "scan")].name;
-}
-
 /* The test that tells spurious nodes. */
 static const char *condition_of(const Table *t, int row)
 {
@@ -54,10 +48,10 @@ static void tables(const Results *r)
         const bool lost = select_is_lost(t, row);
         const double steps = select_number(t, row, "steps");
         fprintf(f, "%s,%s,%g,%s,%g,%.17g,%.17g,%d\n", select_text(t, row, "method"),
-                layout_of(t, row), pow(round(sqrt(select_number(t, row, "ppc"))), 2),
-                condition_of(t, row), select_number(t, row, "trigger"),
-                select_number(t, row, "error_linf"), select_number(t, row, "fallbacks") / steps,
-                lost);
+                layouts[select_is(t, row, "problem", "scan")].name,
+                pow(round(sqrt(select_number(t, row, "ppc"))), 2), condition_of(t, row),
+                select_number(t, row, "trigger"), select_number(t, row, "error_linf"),
+                select_number(t, row, "fallbacks") / steps, lost);
     }
 }
 
@@ -65,8 +59,7 @@ static void tables(const Results *r)
 static Measure lost(const Table *t, const char *method, const char *condition, double trigger)
 {
     Measure sum = measure_sum_of(CASES);
-    for (int row = -1;
-         (row = select_next(t, row, "method=%s condition=%s", method, condition)) >= 0;)
+    EACH_ROW(row, t, "method=%s condition=%s", method, condition)
         if (!(trigger > 0) || fabs(select_number(t, row, "trigger") - trigger) < 1e-9)
             measure_add(&sum, select_number(t, row, "lost"));
     return sum;
@@ -112,12 +105,5 @@ static void check(Check *c, const Results *r)
           1.5, 2.5);
 }
 
-const Study study_t_12_conditioning = {
-    .name = "t_12_conditioning",
-    .figure = "T-12",
-    .about = "spurious nodes by trigger weight, determinant or number of particles",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 7,
-};
+const StudyPage study_t_12_conditioning = {
+    .cases = cases, .tables = tables, .check = check, .claims = 7};

@@ -62,22 +62,21 @@ static Measure same(const Results *r, const char *method)
 
 static void check(Check *c, const Results *r)
 {
-    static const char *const labels[] = {"GIMP", "WLS2", "FEM"};
     for (int m = 0; m < DISKS; m++) {
         claim(c, phrase("T-14.error-%s", disk[m]),
               phrase("%s: error on the ring in adaptive steps over that in equal ones, as many",
-                     labels[m]),
+                     engine_label(disk[m])),
               same(r, disk[m]), 0.9, 1.1);
         claim(
             c, phrase("T-14.saved-%s", disk[m]),
             phrase("%s, disk: part of the steps that eq 34 saves over a constant step as small as "
                    "its least one",
-                   labels[m]),
+                   engine_label(disk[m])),
             saved(r, "disk_impact", disk[m]), 0.005, 0.5);
         claim(c, phrase("T-14.energy-%s", disk[m]),
               phrase("%s: energy drift on the disk in adaptive steps less that in equal ones at "
                      "CFL .3",
-                     labels[m]),
+                     engine_label(disk[m])),
               more_drift(r, disk[m]), -0.003, 0.003);
     }
     claim(c, "T-14.saved-hanging",
@@ -88,11 +87,4 @@ static void check(Check *c, const Results *r)
           value(r, "energy_drift", "hanging_bar", "fem", "adaptive"), -1e-4, 1e-4);
 }
 
-const Study study_t_14_adaptive = {
-    .name = "t_14_adaptive",
-    .figure = "T-14",
-    .about = "adaptive time steps (eq 34) on the disk, a hanging bar and the ring",
-    .cases = cases,
-    .check = check,
-    .claims = 11,
-};
+const StudyPage study_t_14_adaptive = {.cases = cases, .check = check, .claims = 11};

@@ -14,7 +14,6 @@
  * are integrated by a fitted stress (Sulsky & Gong 2016). (Forces as in h_01_translation.c, over E
  * times a cell's face.) The hanging bar of these papers: H-15. */
 #include <math.h>
-#include "studies/tables/curves.h"
 #include "studies/tables/grades.h"
 
 enum { BAR_CELLS = 40, COUNTS = 5, BLOCK_CELLS = 16 };
@@ -25,18 +24,17 @@ static const char domains[] = "mpm gimp apic mls_mpm bspline3 tlmpm cpdi cpdi2 i
 
 static void cases(Cases *list, bool quick)
 {
-    char m[WORD_TEXT];
-    for (const char *rest = splines; select_word(&rest, m);)
+    EACH_WORD(m, splines)
         for (int k = 0; k < (quick ? 2 : COUNTS); k++)
             case_add_with(list, "nodes", phrase("bar.%s.%d", m, counts[k]),
                           "run block --method %s --cells %d --integrator usl --set dim=1 --set "
                           "steps=1 --set particles=%d",
                           m, BAR_CELLS, counts[k]);
-    for (const char *rest = transfers; select_word(&rest, m);)
+    EACH_WORD(m, transfers)
         case_add_with(list, "particles", phrase("transfer.%s", m),
                       "run free_block --method %s --cells %d --cfl 1e-7 --set steps=20", m,
                       BLOCK_CELLS);
-    for (const char *rest = domains; select_word(&rest, m);)
+    EACH_WORD(m, domains)
         case_add_with(list, "nodes", phrase("block.%s", m),
                       "run block --method %s --cells %d --integrator usl --set dim=2 --set steps=1 "
                       "--set stretch=1.5 --set angle=30 --set offset_x=0.3 --set offset_y=0.2",
@@ -79,17 +77,17 @@ static void tables(const Results *r)
 {
     FILE *mass = results_write(r, "mass", "method,ppc,error");
     FILE *force = results_write(r, "force", "method,place,force");
-    char m[WORD_TEXT];
     int place = 0;
-    for (const char *rest = splines; select_word(&rest, m);)
+    EACH_WORD(m, splines)
         for (int k = 0; k < COUNTS; k++) {
             const double error = mass_error(r, m, counts[k]);
             if (!isnan(error))
                 fprintf(mass, "%s,%g,%.10g\n", m, (double)counts[k] / BAR_CELLS, error);
         }
-    for (const char *rest = domains; select_word(&rest, m); place++) {
+    EACH_WORD(m, domains) {
         const double f = force_inside(r, m);
         if (!isnan(f)) fprintf(force, "%s,%d,%.10g\n", m, place, f);
+        place++;
     }
 }
 
@@ -175,13 +173,8 @@ static void check(Check *c, const Results *r)
     check_forces(c, r);
 }
 
-const Study study_t_16_schemes = {
-    .name = "t_16_schemes",
-    .figure = "T-16",
-    .about = "schemes that run on request: a statement of each one's paper",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .also = "mls_mpm,bspline3,tlmpm,cpdi,cpdi2,polypic,impm",
-    .claims = 10,
-};
+const StudyPage study_t_16_schemes = {.cases = cases,
+                                      .tables = tables,
+                                      .check = check,
+                                      .claims = 10,
+                                      .also = "mls_mpm,bspline3,tlmpm,cpdi,cpdi2,polypic,impm"};

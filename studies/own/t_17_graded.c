@@ -9,8 +9,6 @@
  * And the condition number of the moment matrix of WLS (W11 eq 9) on H-6's uneven particles. */
 #include <gsl/gsl_eigen.h>
 #include <math.h>
-#include <stdlib.h>
-#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
 
 enum { TENT, GIMP, GE_TENT, GE_GIMP, FIT, METHODS, RATIOS = 6, GRIDS = 4, MOST = 192, JITTERS = 6 };
@@ -174,10 +172,8 @@ static void tables(const Results *r)
 
 static Measure order(const Table *t, int method, int kind, int field)
 {
-    Curve c;
-    curve_pick(&c, t, "cells", "error", "method=%s kind=%s field=%s ratio=1.5", names[method],
-               kinds[kind], fields[field]);
-    return measure_times(curve_order(&c, 24, 192, GRIDS), -1);
+    return curve_order_in_h(t, "error", 24, 192, GRIDS, "method=%s kind=%s field=%s ratio=1.5",
+                            names[method], kinds[kind], fields[field]);
 }
 
 static Measure linear_error(const Table *t, int method, int kind)
@@ -189,7 +185,7 @@ static Measure linear_error(const Table *t, int method, int kind)
 /* What MPM and GIMP lose. */
 static void check_plain(Check *c, const Table *t, int m)
 {
-    const char *label = m == GIMP ? "GIMP" : "MPM";
+    const char *label = engine_label(names[m]);
     claim(c, phrase("T-17.cells-%s", names[m]),
           phrase("%s, 1D, 48 cells whose sizes differ by 1.5 from one to the next: largest error "
                  "of a linear field over the mean cell size",
@@ -209,7 +205,7 @@ static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "errors"), *k = results_part(r, "condition");
     Measure exact = measure_max_of(3 * 2 * (RATIOS + GRIDS - 1));
-    for (int row = -1; (row = select_next(t, row, "field=linear")) >= 0;)
+    EACH_ROW(row, t, "field=linear")
         if (!select_is(t, row, "method", "mpm") && !select_is(t, row, "method", "gimp"))
             measure_add_max(&exact, select_number(t, row, "error"));
     claim(
@@ -237,12 +233,5 @@ static void check(Check *c, const Results *r)
         1.1, 10);
 }
 
-const Study study_t_17_graded = {
-    .name = "t_17_graded",
-    .figure = "T-17",
-    .about = "projection on graded grids and from graded particles; condition of moments",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 11,
-};
+const StudyPage study_t_17_graded = {
+    .cases = cases, .tables = tables, .check = check, .claims = 11};

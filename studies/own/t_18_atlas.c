@@ -8,7 +8,6 @@
  *   H-12  a block drifts from node to node with its particles on nodes
  *   H-14  a block falls freely */
 #include <math.h>
-#include "studies/tables/curves.h"
 #include "studies/tables/grades.h"
 
 enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5, RUNGS = 6 };
@@ -35,15 +34,14 @@ static const char *part(const char *what, const char *method)
 
 static void add_nodes(Cases *list, bool quick)
 {
-    char m[WORD_TEXT];
     for (int turned = 0; turned < 2; turned++)
-        for (const char *rest = uniform; select_word(&rest, m);)
+        EACH_WORD(m, uniform)
             case_add_with(list, "nodes", part(turned ? "turned" : "stretch", m),
                           "run block --method %s --cells %d --integrator usl --set dim=3 --set "
                           "steps=1 --set allow_unstable=1 --set stretch=%g --set angle=%d --set "
                           "drift_x=%g " OFF,
                           m, INSIDE, STRETCH, turned * 30, DRIFT);
-    for (const char *rest = ripple; select_word(&rest, m);)
+    EACH_WORD(m, ripple)
         case_add_with(list, "history", part("ripple", m),
                       "run block --method %s --cells %d --set dim=3 --set ripple=1e-4 " OFF
                       " --t-end %.17g",
@@ -52,7 +50,6 @@ static void add_nodes(Cases *list, bool quick)
 
 static void cases(Cases *list, bool quick)
 {
-    char m[WORD_TEXT];
     add_nodes(list, quick);
     for (int k = 0; k < 3; k++)
         for (int n = 0; n < RUNGS; n++)
@@ -66,12 +63,12 @@ static void cases(Cases *list, bool quick)
                 rungs[n] * corners[k].scale * BLOCK_SPEED / BLOCK_P_SPEED,
                 EPS + 0.25 - corners[k].beyond, EPS + 0.25 - corners[k].beyond,
                 EPS + 0.25 - corners[k].beyond);
-    for (const char *rest = spun; select_word(&rest, m);)
+    EACH_WORD(m, spun)
         case_add_with(list, "particles", part("spin", m),
                       "run block --method %s --cells %d --t-end %.17g --set dim=3 --set box=4 "
                       "--set spin=1",
                       m, CELLS, 2 * M_PI / BLOCK_SPEED);
-    for (const char *rest = freely; select_word(&rest, m);)
+    EACH_WORD(m, freely)
         case_add_with(list, "history", part("free", m),
                       "run free_block --method %s --cells %d --t-end %.17g --set dim=3 --set box=2 "
                       "--set swing=0 --set drift=0",
@@ -83,12 +80,12 @@ static void cases(Cases *list, bool quick)
                      "--cells %d --set steps=20 --set drift_x=0.8333333333333334 --set "
                      "offset_x=0.25 --set offset_y=0.25 --set offset_z=0.25",
                      ge ? "ge_mpm" : "mpm", integrators[k], CELLS);
-    for (const Info *const *i = engine_3d.methods; *i; i++)
-        for (int k = 0; k < (engine_has_grid(&engine_3d, (*i)->name) ? INTEGRATORS : 1); k++)
+    EACH_METHOD(i, &engine_3d)
+        for (int k = 0; k < (engine_has_grid(&engine_3d, i->name) ? INTEGRATORS : 1); k++)
             case_add(list,
                      "run block --method %s --integrator %s --cells %d --set dim=3 --set "
                      "gravity=1000 " OFF " --set refresh=%d --set allow_unstable=1 --set steps=20",
-                     (*i)->name, integrators[k], CORNER, engine_has_grid(&engine_3d, (*i)->name));
+                     i->name, integrators[k], CORNER, engine_has_grid(&engine_3d, i->name));
 }
 
 /* H-1: the largest force inside over |sigma| and the area of a cell's face. */
@@ -132,7 +129,7 @@ static double growth(const Table *t)
 /* A column at the end over its start; NAN of an empty history. */
 static double left(const Table *t, const char *column)
 {
-    return t->nrow ? select_number(t, t->nrow - 1, column) / select_number(t, 0, column) : NAN;
+    return t->nrow ? select_last(t, column) / select_number(t, 0, column) : NAN;
 }
 
 static void tables(const Results *r)
@@ -141,8 +138,7 @@ static void tables(const Results *r)
     static const char *const what[] = {"stretch", "turned", "ripple", "spin", "free"};
     const char *const methods[] = {uniform, uniform, ripple, spun, freely};
     for (int k = 0; k < 5; k++) {
-        char m[WORD_TEXT];
-        for (const char *rest = methods[k]; select_word(&rest, m);) {
+        EACH_WORD(m, methods[k]) {
             const Table *t = results_run(r, "%s", part(what[k], m));
             const double x = k < 2    ? force(t, k)
                              : k == 2 ? sqrt(left(t, "kinetic"))
@@ -154,14 +150,17 @@ static void tables(const Results *r)
     }
 }
 
-static Measure extreme(const Table *t, const char *what, const char *methods, bool most)
+/* The largest and the least of the numbers that these methods have in NAME.found.csv. */
+static Measure largest(const Table *t, const char *what, const char *methods)
 {
-    Measure out = most ? measure_max_of(0) : measure_min_of(0);
-    char m[WORD_TEXT];
-    while (select_word(&methods, m)) {
-        const Measure x = select_value(t, "value", "what=%s method=%s", what, m);
-        out = most ? measure_max(out, x) : measure_min(out, x);
-    }
+    return curve_worst(t, methods, 1, "value", phrase("what=%s", what));
+}
+
+static Measure smallest(const Table *t, const char *what, const char *methods)
+{
+    Measure out = measure_min_of(0);
+    EACH_WORD(m, methods)
+        out = measure_min(out, select_value(t, "value", "what=%s method=%s", what, m));
     return out;
 }
 
@@ -187,8 +186,7 @@ static Measure error(const Table *t, const char *where, int from, int to, int ne
 {
     Measure most = measure_max_of(needs);
     for (int k = from; k < to; k++)
-        for (int row = -1;
-             (row = select_next(t, row, "%s integrator=%s", where, integrators[k])) >= 0;)
+        EACH_ROW(row, t, "%s integrator=%s", where, integrators[k])
             measure_add_max(&most, select_kept(t, row, "error_linf"));
     return most;
 }
@@ -198,31 +196,30 @@ static void check_forces(Check *c, const Table *t)
     claim(c, "T-18e.h1-tent",
           "Stretched block in 3D, MPM: force inside a uniformly stressed moving body over |sigma| "
           "A, largest",
-          extreme(t, "stretch", "mpm", true), 0.1, 1);
+          largest(t, "stretch", "mpm"), 0.1, 1);
     claim(c, "T-18e.h1-gimp",
           "Stretched block in 3D, GIMP, GE-GIMP: no force inside while boxes tile space: largest "
           "over |sigma| A",
-          extreme(t, "stretch", "gimp ge_gimp", true), 0, 1e-10);
+          largest(t, "stretch", "gimp ge_gimp"), 0, 1e-10);
     claim(c, "T-18e.h1-turned",
           "Block turned by 30 degrees in 3D, GIMP: boxes do not tile space: largest force over "
           "|sigma| A",
-          extreme(t, "turned", "gimp", true), 1e-3, 1);
+          largest(t, "turned", "gimp"), 1e-3, 1);
     claim(c, "T-18e.h1-wls",
           "Block in 3D, turned or not, WLS2, GE-WLS: no force inside: largest over |sigma| A",
-          measure_max(extreme(t, "stretch", "wls2 ge_wls", true),
-                      extreme(t, "turned", "wls2 ge_wls", true)),
-          0, 1e-10);
+          measure_max(largest(t, "stretch", "wls2 ge_wls"), largest(t, "turned", "wls2 ge_wls")), 0,
+          1e-10);
     claim(c, "T-18e.h2-flip",
           "Alternating velocities in 3D: MPM, GIMP, GE-GIMP, B-splines keep them: least amplitude "
           "left after 300 steps",
-          extreme(t, "ripple", "mpm gimp ge_gimp bspline", false), 0.9, 1.1);
+          smallest(t, "ripple", "mpm gimp ge_gimp bspline"), 0.9, 1.1);
     claim(c, "T-18e.h2-damp",
           "Alternating velocities in 3D: APIC, TPIC damp them: most amplitude left after 300 steps",
-          extreme(t, "ripple", "apic tpic", true), 0, 0.1);
+          largest(t, "ripple", "apic tpic"), 0, 0.1);
     claim(c, "T-18e.h2-wls",
           "Alternating velocities in 3D: WLS, WLS2, GE-WLS keep them for 300 steps: most amplitude "
           "left",
-          extreme(t, "ripple", "wls wls2 ge_wls", true), 0.9, 1.1);
+          largest(t, "ripple", "wls wls2 ge_wls"), 0.9, 1.1);
 }
 
 static void check_turns(Check *c, const Table *t)
@@ -230,15 +227,14 @@ static void check_turns(Check *c, const Table *t)
     claim(c, "T-18e.h8-growth",
           "Imposed turn in 3D: J grows by exp(2 pi w dt) with GE-GIMP, APIC, TPIC, WLS2: largest "
           "ratio",
-          extreme(t, "spin", "ge_gimp apic tpic wls2", true), 0.99, 1.01);
+          largest(t, "spin", "ge_gimp apic tpic wls2"), 0.99, 1.01);
     claim(c, "T-18e.h8-gimp",
           "Imposed turn in 3D: GIMP underestimates the rotation at edges: J over exp(2 pi w dt), "
           "8 cells",
-          extreme(t, "spin", "gimp", true), 0.9, 0.96);
+          largest(t, "spin", "gimp"), 0.9, 0.96);
     claim(c, "T-18e.h8-free",
           "Free turn in 3D: angular momentum that GE-GIMP loses over GIMP's loss, 8 cells",
-          measure_ratio(extreme(t, "free", "ge_gimp", true), extreme(t, "free", "gimp", true)), 0,
-          0.1);
+          measure_ratio(largest(t, "free", "ge_gimp"), largest(t, "free", "gimp")), 0, 0.1);
 }
 
 static void check(Check *c, const Results *r)
@@ -246,8 +242,7 @@ static void check(Check *c, const Results *r)
     const Table *t = r->rows;
     const double dt = select_value(t, "dt", "gravity=1000 method=mpm").value;
     int methods = 0;
-    for (const Info *const *i = engine_3d.methods; *i; i++)
-        methods += !(*i)->on_request && engine_has_grid(&engine_3d, (*i)->name);
+    EACH_GRID_METHOD(m, &engine_3d) methods += !m->on_request;
     check_forces(c, results_part(r, "found"));
     check_turns(c, results_part(r, "found"));
     claim_differs(
@@ -278,12 +273,4 @@ static void check(Check *c, const Results *r)
           0.99, 1.01);
 }
 
-const Study study_t_18_atlas = {
-    .name = "t_18_atlas",
-    .figure = "T-18e",
-    .about = "hard cases H-1, H-2, H-5, H-8, H-12 and H-14 in three dimensions",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 16,
-};
+const StudyPage study_t_18_atlas = {.cases = cases, .tables = tables, .check = check, .claims = 16};

@@ -77,11 +77,4 @@ static void check(Check *c, const Results *r)
           early(r), 0.3, 0.7);
 }
 
-const Study study_t_18_ball = {
-    .name = "t_18_ball",
-    .figure = "T-18c",
-    .about = "ball in 3D: energies through its impact, GIMP, WLS, WLS2, GE-WLS and FEM",
-    .cases = cases,
-    .check = check,
-    .claims = 5 + 2 * METHODS,
-};
+const StudyPage study_t_18_ball = {.cases = cases, .check = check, .claims = 5 + 2 * METHODS};

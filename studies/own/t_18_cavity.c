@@ -9,8 +9,6 @@
 #include <gsl/gsl_multifit.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-#include "studies/runs/engines.h"
 #include "studies/runs/must.h"
 #include "studies/tables/curves.h"
 #include "studies/tables/hole.h"
@@ -66,8 +64,8 @@ static double hoop_stress(const Table *t, int row)
     return 1e-9 * sum / pow(length(along), 2);
 }
 
-/* The points of a file that lie within `depth` cells of the cavity, of FEM its hexahedra with one
- * such tetrahedron. */
+/* The points of a file that lie within `depth` cells of the cavity; of FEM the hexahedra that have
+ * such a tetrahedron. */
 static Sites sites_read(const Table *t, int n, bool mesh, double depth)
 {
     const int members = mesh ? PIECES : 1;
@@ -215,12 +213,5 @@ static void check(Check *c, const Results *r)
           measure_ratio(value(t, "rms", "gimp.12"), value(t, "rms", "gimp.8")), 1, 2.5);
 }
 
-const Study study_t_18_cavity = {
-    .name = "t_18_cavity",
-    .figure = "T-18b",
-    .about = "cube with a cavity in 3D: hoop stress on its surface beside fine FEM",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 4 + METHODS,
-};
+const StudyPage study_t_18_cavity = {
+    .cases = cases, .tables = tables, .check = check, .claims = 4 + METHODS};

@@ -44,12 +44,8 @@ static const char *whole(const char *method)
 /* Largest error over the least of the places. */
 static Measure spread(const Table *t, const char *method)
 {
-    Measure most = measure_max_of(PLACES), least = measure_min_of(PLACES);
-    for (int row = -1; (row = select_next(t, row, "%s", whole(method))) >= 0;) {
-        measure_add_max(&most, select_kept(t, row, "error_linf"));
-        measure_add_min(&least, select_kept(t, row, "error_linf"));
-    }
-    return measure_ratio(most, least);
+    return measure_ratio(select_max(t, "error_linf", PLACES, "%s", whole(method)),
+                         select_min(t, "error_linf", PLACES, "%s", whole(method)));
 }
 
 static Measure octant(const Table *t, const char *method)
@@ -83,11 +79,4 @@ static void check(Check *c, const Results *r)
           lost, 0, 0);
 }
 
-const Study study_t_18_places = {
-    .name = "t_18_places",
-    .figure = "T-18d",
-    .about = "whole shells in 3D at random offsets and turns, WLS, WLS2, GE-WLS",
-    .cases = cases,
-    .check = check,
-    .claims = 1 + 2 * METHODS,
-};
+const StudyPage study_t_18_places = {.cases = cases, .check = check, .claims = 1 + 2 * METHODS};

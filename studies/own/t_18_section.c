@@ -141,12 +141,5 @@ static void check(Check *c, const Results *r)
               off(t, known[m].method, 2), known[m].low, known[m].high);
 }
 
-const Study study_t_18_section = {
-    .name = "t_18_section",
-    .figure = "T-18",
-    .about = "shell in 3D: radial and hoop stress in a section at 0, 5 and 10 ms",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 3 + METHODS,
-};
+const StudyPage study_t_18_section = {
+    .cases = cases, .tables = tables, .check = check, .claims = 3 + METHODS};

@@ -28,6 +28,12 @@ const Info *engine_method(const char *name)
     return found;
 }
 
+const char *engine_label(const char *method)
+{
+    const Info *info = engine_method(method);
+    return info ? info->label : method;
+}
+
 int engine_line(const Engine *engine, const char *method)
 {
     int line = 0;
@@ -45,11 +51,6 @@ bool engine_has_grid(const Engine *engine, const char *method)
 {
     double S, G;
     return engine->weight(method, 0, 0.25, &S, &G) == 0;
-}
-
-bool engine_takes(const Info *info, const char *param)
-{
-    return info_param_find(info->params, param) != NULL;
 }
 
 static int gather(const Info *const *list, const char *names[], int n, int max)

@@ -17,6 +17,16 @@ int engine_check_method(const char *option, const char *name, Fault *fault);
 const Info *engine_problem(const char *name);
 const Info *engine_method(const char *name);
 
+/* "GE-GIMP" for "ge_gimp", from any dimension; or the name itself. */
+const char *engine_label(const char *method);
+
+/* Each method of an engine as `const Info *m`, in the registry's order: all; those with a grid. */
+#define EACH_METHOD(m, engine)                                                                     \
+    for (const Info *const *m##_place = (engine)->methods, *m; (m = *m##_place); m##_place++)
+#define EACH_GRID_METHOD(m, engine)                                                                \
+    EACH_METHOD(m, engine)                                                                         \
+        if (engine_has_grid(engine, m->name))
+
 /* The line of a method in figures of all methods: how many stand before it in the registry, those
  * on request not counted. */
 int engine_line(const Engine *engine, const char *method);
@@ -26,8 +36,5 @@ bool engine_has_problem(const Engine *engine, const char *name);
 
 /* Does this method have a grid (and particles)? FEM has none. */
 bool engine_has_grid(const Engine *engine, const char *method);
-
-/* Does the method or problem take a parameter of this name? */
-bool engine_takes(const Info *info, const char *param);
 
 #endif

@@ -1,9 +1,9 @@
 /* run_args_text.c: a run as one line of text, as a study's page lists it (run_args.h). */
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include "engines.h"
 #include "run_args.h"
+#include "studies/phrase.h"
 
 static bool names_files(const RunSpec *s)
 {
@@ -37,9 +37,6 @@ bool run_args_is_run(const char *format, ...)
     char text[SPEC_TEXT];
     const Engine *engine;
     RunSpec spec;
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
+    PHRASE_INTO(text, format);
     return run_args_resolve(text, &spec, &engine, NULL) == 0;
 }

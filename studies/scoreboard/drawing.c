@@ -1,5 +1,5 @@
-/* drawing.c: see drawing.h. gnuplot writes a point as an element of its own, vertices of lines in
- * absolute coordinates, and for every piece again how it is drawn. */
+/* drawing.c: see drawing.h. gnuplot writes each point as an element of its own, lines in absolute
+ * coordinates, and the same attributes with every element. */
 #include "drawing.h"
 
 #include <ctype.h>
@@ -31,8 +31,8 @@ static void put_tenths(FILE *out, long v, bool apart)
     if (rest) fprintf(out, ".%ld", rest);
 }
 
-/* The way to the next vertex, with the pen up or down. A path begins where it says; the letter of a
- * line may be left out. */
+/* Writes the step to the next vertex, m with the pen up; the letter of a line may be left out. The
+ * first step of a path starts from (0, 0). */
 static void put_vertex(FILE *out, Pen *pen, double x, double y, bool up)
 {
     const long to_x = lround(10 * x), to_y = lround(10 * y);
@@ -42,7 +42,7 @@ static void put_vertex(FILE *out, Pen *pen, double x, double y, bool up)
     *pen = (Pen){to_x, to_y, pen->vertices + 1};
 }
 
-/* The vertices of a path in relative coordinates, up to the first that is none. */
+/* Writes the vertices of a path in relative coordinates; returns what follows the last one. */
 static const char *put_path(FILE *out, const char *s)
 {
     Pen pen = {0, 0, 0};
@@ -64,7 +64,7 @@ typedef struct Point {
     double x, y;
 } Point;
 
-/* The point that stands next; what is behind it, or NULL. */
+/* Reads the point that s begins with. Returns what follows it; NULL if it is no point. */
 static const char *read_point(const char *s, Point *p)
 {
     char text[POINT_TEXT];
@@ -85,8 +85,8 @@ static bool is_alike(const Point *a, const Point *b)
            strcmp(a->colour, b->colour) == 0;
 }
 
-/* Points alike in a row as markers of one path, the k-th of the drawing; what is behind them, or s
- * if there are few. */
+/* Writes equal points in a row as one path, number *k of the drawing, with a marker at each vertex.
+ * Returns what follows them; s if they are fewer than FEW. */
 static const char *put_points(FILE *out, const char *s, int *k)
 {
     Point first, p;
@@ -107,8 +107,8 @@ static const char *put_points(FILE *out, const char *s, int *k)
     return s;
 }
 
-/* What is behind an element that nobody sees: names of pieces, groups of nothing, filters that are
- * not used; or s. */
+/* Returns what follows an element that is not visible (a title, an empty group, an unused filter);
+ * s if it is another. */
 static const char *skip_unseen(const char *s, bool filtered)
 {
     static const char *const unseen[][2] = {
@@ -148,22 +148,22 @@ static char *shorten(const char *s)
     return must(text);
 }
 
-/* Where in a drawing a character stands. */
+/* The place of a character in a drawing. */
 typedef struct Place {
     bool in_tag, quoted, blank; /* blank: white space was before it */
     int before;                 /* the last character kept */
     int decimals;               /* of the number, that were kept; -1: before its point */
 } Place;
 
-/* Is the second decimal of a coordinate: less than a tenth of a pixel. */
+/* Is it the second or a later decimal of a coordinate: less than a tenth of a pixel? */
 static bool is_too_exact(Place *at, int c)
 {
     if (!isdigit(c) || !at->quoted) at->decimals = c == '.' && isdigit(at->before) ? 0 : -1;
     return isdigit(c) && at->decimals >= 0 && at->decimals++ > 0;
 }
 
-/* Does white space say nothing here: between tags, behind a bracket or comma, before a command of
- * a path? */
+/* May white space be left out here: between tags, behind a bracket or comma, before a command of a
+ * path? */
 static bool is_idle_blank(const Place *at, int c)
 {
     return at->quoted ? strchr("(,\"", at->before) || (strchr("MLlmhvz", c) && isdigit(at->before))
@@ -192,29 +192,30 @@ static void put_character(FILE *out, Place *at, int c)
         putc(c, out);
 }
 
-/* What gnuplot says of every piece of a drawing, and what this page says instead: once, of all. */
+/* Attributes that gnuplot repeats with every element, and what replaces them: they are set once, on
+ * the outermost group. */
 static const struct {
-    const char *said, *instead;
-} sayings[] = {{"<g id=\"gnuplot_canvas\"",
-                "<g font-family=\"DejaVu Sans\" fill=\"none\" stroke=\"currentColor\""},
-               {" fill=\"#ffffff\"/>", " fill=\"#fff\" stroke=\"none\"/>"}, /* the background */
-               {" font-family=\"DejaVu Sans\"", ""},
-               {"<g fill=\"none\" color=", "<g color="},
-               {" stroke=\"currentColor\"", ""},
-               {" stroke-width=\"1.00\"", ""},
-               {" class=\"gridline\"", ""},
-               {" stroke-linecap=\"butt\" stroke-linejoin=\"miter\"", ""}};
+    const char *text, *instead;
+} repeated[] = {{"<g id=\"gnuplot_canvas\"",
+                 "<g font-family=\"DejaVu Sans\" fill=\"none\" stroke=\"currentColor\""},
+                {" fill=\"#ffffff\"/>", " fill=\"#fff\" stroke=\"none\"/>"}, /* the background */
+                {" font-family=\"DejaVu Sans\"", ""},
+                {"<g fill=\"none\" color=", "<g color="},
+                {" stroke=\"currentColor\"", ""},
+                {" stroke-width=\"1.00\"", ""},
+                {" class=\"gridline\"", ""},
+                {" stroke-linecap=\"butt\" stroke-linejoin=\"miter\"", ""}};
 
-/* As the text of a URL. */
+/* Writes s, shortened, as the text of a URL. */
 static void put_url(FILE *out, const char *s)
 {
     Place at = {.before = '>', .decimals = -1};
     while (*s) {
         const char *instead = NULL;
-        for (size_t k = 0; k < sizeof sayings / sizeof *sayings && !instead; k++)
-            if (begins(s, sayings[k].said)) {
-                instead = sayings[k].instead;
-                s += strlen(sayings[k].said);
+        for (size_t k = 0; k < sizeof repeated / sizeof *repeated && !instead; k++)
+            if (begins(s, repeated[k].text)) {
+                instead = repeated[k].instead;
+                s += strlen(repeated[k].text);
             }
         if (!instead) put_character(out, &at, (unsigned char)*s++);
         for (; instead && *instead; instead++) put_character(out, &at, (unsigned char)*instead);

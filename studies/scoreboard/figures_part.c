@@ -5,6 +5,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "studies/phrase.h"
+#include "studies/select.h"
 #include "drawing.h"
 #include "parts.h"
 
@@ -120,12 +121,7 @@ static void card(const Page *page, const Study *s, const char *command)
     figure_claims(page, s);
     sidecar(page, s->name);
     fputs("<p class=\"soft\">Data: ", page->f);
-    link_to(page, s->name, "csv");
-    link_to(page, s->name, "points.csv");
-    link_to(page, s->name, "reach.csv");
-    link_to(page, s->name, "json");
-    link_to(page, s->name, "svg");
-    link_to(page, s->name, "png");
+    EACH_WORD(ending, "csv points.csv reach.csv json svg png") link_to(page, s->name, ending);
     page_element(page->f, "&middot; again: <code>", command, "</code></p>\n</article>\n");
 }
 
@@ -138,9 +134,8 @@ void page_figures(const Page *page)
         {.name = "t_03_growth",
          .figure = "T-3b",
          .about = "growth: wall clock of one particle-step against the number of particles"}};
-    for (const Study *const *s = studies; *s; s++) {
-        if (size_of(page, (*s)->name, "csv"))
-            card(page, *s, phrase("build/mpmlab study %s", (*s)->name));
+    for (const Study *s = studies; s->name; s++) {
+        if (size_of(page, s->name, "csv")) card(page, s, phrase("build/mpmlab study %s", s->name));
     }
     for (int k = 0; k < 2; k++)
         if (size_of(page, bench[k].name, "csv")) card(page, &bench[k], "make bench");

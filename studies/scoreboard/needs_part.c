@@ -4,6 +4,7 @@
 #include <string.h>
 #include "studies/select.h"
 #include "parts.h"
+#include "studies/runs/engines.h"
 
 /* Rows of `study`.`part` that meet `where`; the least |column - right| wins. */
 static const struct Need {
@@ -30,7 +31,7 @@ static int best_row(const Table *t, const struct Need *n, bool mesh)
 {
     int best = -1;
     double least = INFINITY;
-    for (int row = -1; (row = select_next(t, row, "%s", n->where)) >= 0;) {
+    EACH_ROW(row, t, "%s", n->where) {
         const double off = fabs(select_number(t, row, n->column) - n->right);
         if (select_is(t, row, "method", "fem") != mesh || !(off < least)) continue;
         least = off;
@@ -46,7 +47,7 @@ static void answer(FILE *f, const Table *t, const struct Need *n, int row)
         fputs("<td class=\"soft\">none</td>", f);
         return;
     }
-    page_element(f, "<td><b>", page_method_label(select_text(t, row, "method")), "</b><br>");
+    page_element(f, "<td><b>", engine_label(select_text(t, row, "method")), "</b><br>");
     snprintf(text, sizeof text, n->shows, fabs(select_number(t, row, n->column)));
     page_element(f, "<span class=\"soft\">", text, "");
     if (table_column(t, "layout") >= 0 && !select_is(t, row, "method", "fem"))

@@ -29,8 +29,6 @@ void page_sentences(const Page *page, const char *paper);
 /* Every method's price of each error, if dir/NAME.reach.csv is there. */
 void page_prices(const Page *page, const char *name);
 
-const char *page_method_label(const char *method); /* "GE-GIMP", from any dimension; or itself */
-
 void page_text(FILE *f, const char *text); /* escaped */
 void page_element(FILE *f, const char *open, const char *text, const char *close);
 void page_claim_link(FILE *f, const Claim *c); /* to its row, in its verdict's colour */

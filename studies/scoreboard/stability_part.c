@@ -27,9 +27,9 @@ static void sheets_read(Sheets *s, const char *dir)
                   .pairs = table_read_part(dir, "t_05_compatibility", "grid", NULL),
                   .ring = table_read_part(dir, "w11_06_ring", NULL, NULL),
                   .points = table_read_part(dir, "h_05_small_mass", "points", NULL)};
-    for (const Study *const *study = studies; *study && s->n < SHEETS; study++) {
-        Sheet one = {*study, table_read_part(dir, (*study)->name, "grades", NULL),
-                     table_read_part(dir, (*study)->name, "remedies", NULL)};
+    for (const Study *study = studies; study->name && s->n < SHEETS; study++) {
+        Sheet one = {study, table_read_part(dir, study->name, "grades", NULL),
+                     table_read_part(dir, study->name, "remedies", NULL)};
         if (one.grades || one.remedies) s->list[s->n++] = one;
     }
 }
@@ -89,8 +89,7 @@ static double ring_limit(const Table *t, const char *method)
     const char *layout = strstr(method, "wls") ? "radial" : "cartesian";
     double lost = INFINITY, most = NAN;
     for (int pass = 0; t && pass < 2; pass++)
-        for (int row = -1;
-             (row = select_next(t, row, "method=%s layout=%s cells=32", method, layout)) >= 0;) {
+        EACH_ROW(row, t, "method=%s layout=%s cells=32", method, layout) {
             const double cfl = select_number(t, row, "cfl");
             if (pass == 0 && select_is_lost(t, row)) lost = fmin(lost, cfl);
             if (pass == 1 && cfl < lost) most = fmax(isnan(most) ? 0 : most, cfl);
@@ -211,7 +210,7 @@ static bool is_graded(const Sheets *s, const char *method)
 
 static void method_row(FILE *f, const Sheets *s, const char *method)
 {
-    page_element(f, "<tr><th>", page_method_label(method),
+    page_element(f, "<tr><th>", engine_label(method),
                  "</th><td data-label=\"stable on one wave, CFL:\">");
     safe_steps(f, s->safe, method);
     other_steps(f, s, method);

@@ -2,6 +2,7 @@
  * a card per problem: what moves, exactly how, and what its errors are divided by. */
 #include <string.h>
 #include "studies/runs/engines.h"
+#include "studies/select.h"
 #include "studies/statements.h"
 #include "parts.h"
 
@@ -23,9 +24,7 @@ void page_claim_link(FILE *f, const Claim *c)
 
 static void put_claims(const Page *page, const Statement *s)
 {
-    char ids[1024], *rest = NULL;
-    snprintf(ids, sizeof ids, "%s", s->claims);
-    for (char *w = strtok_r(ids, " ", &rest); w; w = strtok_r(NULL, " ", &rest)) {
+    EACH_WORD(w, s->claims) {
         const Claim *c = claim_named(page, w);
         fputs("<div>", page->f);
         if (c)
@@ -41,10 +40,8 @@ static void put_claims(const Page *page, const Statement *s)
  * there. */
 static Verdict verdict_of(const Page *page, const Statement *s)
 {
-    char ids[1024], *rest = NULL;
     Verdict verdict = PASS;
-    snprintf(ids, sizeof ids, "%s", s->claims);
-    for (char *w = strtok_r(ids, " ", &rest); w; w = strtok_r(NULL, " ", &rest)) {
+    EACH_WORD(w, s->claims) {
         const Claim *c = claim_named(page, w);
         if (verdict == PASS) verdict = c ? c->verdict : NOT_RUN;
     }

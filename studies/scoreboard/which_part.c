@@ -10,23 +10,6 @@ static const char costs[] = "t_02_work_precision";
 static const char *const targets[] = {"0.01", "0.001", "0.0003", "0.0001"};
 enum { TARGETS = 4 };
 
-static Table *costs_read(const Page *page, const char *name)
-{
-    return table_read_part(page->dir, name, "reach", NULL);
-}
-
-const char *page_method_label(const char *method)
-{
-    const Info *info = engine_method(method);
-    return info ? info->label : method;
-}
-
-static const char *title_of(const char *problem)
-{
-    const Info *info = engine_problem(problem);
-    return info ? info->about : "";
-}
-
 static bool is_reached(const Table *t, int row)
 {
     return select_is(t, row, "how", "reached") || select_is(t, row, "how", "below");
@@ -42,7 +25,7 @@ static bool has_particles(const Table *t, int row)
 static int cheapest(const Table *t, const char *problem, const char *target, bool particles)
 {
     int best = -1;
-    for (int row = -1; (row = select_next(t, row, "problem=%s target=%s", problem, target)) >= 0;) {
+    EACH_ROW(row, t, "problem=%s target=%s", problem, target) {
         if (select_is(t, row, "how", "never") || has_particles(t, row) != particles) continue;
         const bool firm = is_reached(t, row);
         if (best < 0 || firm > is_reached(t, best) ||
@@ -70,7 +53,7 @@ static void seconds(FILE *f, const Table *t, int row)
 /* "GIMP, fitted, 4 per cell, N = 20" */
 static void options(FILE *f, const Table *t, int row)
 {
-    page_text(f, page_method_label(select_text(t, row, "method")));
+    page_text(f, engine_label(select_text(t, row, "method")));
     fputs("</b> <span class=\"soft\">", f);
     if (has_particles(t, row))
         fprintf(f, "%s, %.2g per cell, %s, ",
@@ -92,8 +75,9 @@ static void answer(FILE *f, const Table *t, int row)
 
 static void problem_row(FILE *f, const Table *t, const char *problem)
 {
+    const Info *info = engine_problem(problem);
     page_element(f, "<tr><th>", problem, "<br><span class=\"soft\">");
-    page_element(f, "", title_of(problem), "</span></th>");
+    page_element(f, "", info ? info->about : "", "</span></th>");
     for (int k = 0; k < TARGETS; k++) {
         const int particles = cheapest(t, problem, targets[k], true);
         const int mesh = cheapest(t, problem, targets[k], false);
@@ -108,7 +92,7 @@ static void problem_row(FILE *f, const Table *t, const char *problem)
 
 void page_which(const Page *page)
 {
-    Table *t = costs_read(page, costs);
+    Table *t = table_read_part(page->dir, costs, "reach", NULL);
     const char *last = "";
     if (!t) {
         fprintf(page->f, "<p>Not run yet: <code>build/mpmlab study %s</code></p>\n", costs);
@@ -134,7 +118,7 @@ void page_which(const Page *page)
 
 void page_prices(const Page *page, const char *name)
 {
-    Table *t = costs_read(page, name);
+    Table *t = table_read_part(page->dir, name, "reach", NULL);
     if (!t) return;
     fputs("<details open><summary>Every method at its best: CPU time to reach an error</summary>"
           "<div "
@@ -144,7 +128,7 @@ void page_prices(const Page *page, const char *name)
           page->f);
     for (int row = 0; row + TARGETS <= t->nrow; row += TARGETS) {
         page_element(page->f, "<tr><td>", select_text(t, row, "problem"), "</td><td>");
-        page_element(page->f, "", page_method_label(select_text(t, row, "method")), "</td>");
+        page_element(page->f, "", engine_label(select_text(t, row, "method")), "</td>");
         for (int k = 0; k < TARGETS; k++) {
             fputs("<td class=\"n\">", page->f);
             seconds(page->f, t, row + k);

@@ -2,22 +2,11 @@
 #include "curves.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
-
-/* The text that `where` and the arguments behind it make. */
-#define READ_WHERE(text, where)                                                                    \
-    do {                                                                                           \
-        va_list args;                                                                              \
-        va_start(args, where);                                                                     \
-        vsnprintf(text, sizeof text, where, args);                                                 \
-        va_end(args);                                                                              \
-    } while (0)
 
 void curve_pick(Curve *c, const Table *rows, const char *x, const char *y, const char *where, ...)
 {
     char text[512];
-    READ_WHERE(text, where);
+    PHRASE_INTO(text, where);
     c->n = 0;
     for (int row = -1; c->n < CURVE_MAX && (row = select_next(rows, row, "%s", text)) >= 0;
          c->n++) {
@@ -47,13 +36,12 @@ Measure curve_settles(const Curve *c, double level, int needs)
     return measure_with(curve_max(c, needs), isnan(curve_max(c, needs).value) ? NAN : from);
 }
 
-Measure curve_deviation(const Curve *c, int n, const double printed[][3])
+Measure curve_deviation(const Curve *c, double first, int n, const double printed[], double last)
 {
     Measure worst = measure_max_of(n);
-    for (int k = 0; k < n; k++) {
-        const Measure y = curve_at(c, printed[k][0]);
-        measure_add_max(&worst, fabs(y.value / printed[k][1] - 1) * printed[k][2]);
-    }
+    for (int k = 0; k < n; k++, first *= 2)
+        measure_add_max(&worst,
+                        fabs(curve_at(c, first).value / printed[k] - 1) * (k == n - 1 ? last : 1));
     return worst;
 }
 
@@ -81,7 +69,7 @@ Measure curve_order_in_h(const Table *rows, const char *error, double from, doub
 {
     Curve c;
     char text[512];
-    READ_WHERE(text, where);
+    PHRASE_INTO(text, where);
     curve_pick(&c, rows, "cells", error, "%s", text);
     return measure_times(curve_order(&c, from, to, needs), -1);
 }
@@ -89,9 +77,8 @@ Measure curve_order_in_h(const Table *rows, const char *error, double from, doub
 Measure curve_worst(const Table *t, const char *methods, int each, const char *want,
                     const char *where)
 {
-    char m[WORD_TEXT];
     Measure worst = {0};
-    while (select_word(&methods, m)) {
+    EACH_WORD(m, methods) {
         Curve c;
         curve_pick(&c, t, want, want, "method=%s %s", m, where);
         const Measure most = c.n ? curve_max(&c, each) : measure(NAN, 0, each);

@@ -3,6 +3,7 @@
 #ifndef MPMLAB_CURVES_H
 #define MPMLAB_CURVES_H
 
+#include "studies/runs/engines.h"
 #include "studies/select.h"
 #include "studies/study.h"
 
@@ -23,8 +24,9 @@ Measure curve_max(const Curve *c, int needs);
 /* The least x of the curve from which on every y is at most level; NAN if the last is above it. */
 Measure curve_settles(const Curve *c, double level, int needs);
 
-/* Largest |y/printed - 1| over the points {x, printed, weight}, each times its weight. */
-Measure curve_deviation(const Curve *c, int n, const double printed[][3]);
+/* Largest |y/printed - 1| at the n points x = first, 2 first, 4 first, ...; the last one counts as
+ * `last` of that. */
+Measure curve_deviation(const Curve *c, double first, int n, const double printed[], double last);
 
 /* Mean over a's points of a's y over b's at the same x; `needs` points of each. */
 Measure curve_mean_ratio(const Curve *a, const Curve *b, int needs);

@@ -1,8 +1,6 @@
 /* grades.c: see grades.h. */
 #include "grades.h"
 
-#include <stdarg.h>
-
 const char *const grade_mark_names[MARKS] = {"ok", "weak", "lost"};
 
 FILE *grades_write(const Results *results)
@@ -26,10 +24,7 @@ void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, c
                ...)
 {
     char text[256];
-    va_list args;
-    va_start(args, note);
-    vsnprintf(text, sizeof text, note, args);
-    va_end(args);
+    PHRASE_INTO(text, note);
     fprintf(f, "%s,%s,%s,", hard_case, method, grade_mark_names[grade]);
     table_put_cell(f, text);
     putc('\n', f);

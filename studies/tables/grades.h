@@ -8,7 +8,6 @@
 #define MPMLAB_GRADES_H
 
 #include "curves.h"
-#include "studies/runs/engines.h"
 
 typedef enum Mark { MARK_OK, MARK_WEAK, MARK_LOST, MARKS } Mark;
 extern const char *const grade_mark_names[MARKS]; /* "ok" "weak" "lost" */

@@ -85,16 +85,16 @@ static void add_case(Cases *list, const Table *rows, int row, double cfl)
 {
     static const char *const options[] = {"method", "integrator", "cells", "ppc_asked", "t_end"};
     static const char *const names[] = {"method", "integrator", "cells", "ppc", "t-end"};
-    char text[2048], params[512], *rest = params;
-    int n = snprintf(text, sizeof text, "run %s --cfl %.17g --set layout=%s",
-                     select_text(rows, row, "problem"), cfl, select_text(rows, row, "layout"));
+    char params[512], *rest = params;
+    const char *text =
+        phrase("run %s --cfl %.17g --set layout=%s", select_text(rows, row, "problem"), cfl,
+               select_text(rows, row, "layout"));
     for (int k = 0; k < 5; k++) {
         const char *value = select_text(rows, row, options[k]);
-        if (*value) n += snprintf(text + n, sizeof text - (size_t)n, " --%s %s", names[k], value);
+        if (*value) text = phrase("%s --%s %s", text, names[k], value);
     }
     snprintf(params, sizeof params, "%s", select_text(rows, row, "params"));
-    for (char *set; (set = strtok_r(rest, ";", &rest));)
-        n += snprintf(text + n, sizeof text - (size_t)n, " --set %s", set);
+    for (char *set; (set = strtok_r(rest, ";", &rest));) text = phrase("%s --set %s", text, set);
     case_add(list, "%s", text);
 }
 

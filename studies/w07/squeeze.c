@@ -14,8 +14,7 @@ void squeeze_add(Cases *list, const char *method, const char *field, int cells, 
 
 void squeeze_add_quadratic(Cases *list, const char *methods, bool quick)
 {
-    char m[WORD_TEXT];
-    while (select_word(&methods, m)) squeeze_add(list, m, "quadratic", SQUEEZE_CELLS, 1, quick);
+    EACH_WORD(m, methods) squeeze_add(list, m, "quadratic", SQUEEZE_CELLS, 1, quick);
 }
 
 double squeeze_plateau(void)

@@ -62,11 +62,4 @@ static void check(Check *c, const Results *r)
         claim_note(c, layouts[k], count_inside(results_ended(r, "%s", layouts[k])));
 }
 
-const Study study_w07_01_layouts = {
-    .name = "w07_01_layouts",
-    .figure = "W07-1",
-    .about = "ideal and radial particle positions in a block of 5 x 5 cells",
-    .cases = cases,
-    .check = check,
-    .claims = 2,
-};
+const StudyPage study_w07_01_layouts = {.cases = cases, .check = check, .claims = 2};

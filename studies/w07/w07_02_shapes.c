@@ -53,26 +53,25 @@ static Measure most_nodes(const Curve *S)
 
 static void check_nodes(Check *c, const Table *rows)
 {
-    static const char *const ids[] = {"W07-2.mpm-nodes", "W07-2.gimp-nodes"};
-    static const char *const says[] = {
-        "MPM: largest number of nodes that a particle contributes to, 1D",
-        "GIMP: largest number of nodes that a particle contributes to, 1D"};
     Curve curve;
     for (int m = 0; m < 2; m++) {
         curve_pick(&curve, rows, "r", "S", "method=%s", methods[m]);
-        claim(c, ids[m], says[m], most_nodes(&curve), 2 + m, 2 + m);
+        claim(c, phrase("W07-2.%s-nodes", methods[m]),
+              phrase("%s: largest number of nodes that a particle contributes to, 1D",
+                     engine_label(methods[m])),
+              most_nodes(&curve), 2 + m, 2 + m);
     }
 }
 
 static void check(Check *c, const Results *r)
 {
-    static const char *const ids[] = {"W07-2.mpm-unity", "W07-2.gimp-unity"};
-    static const char *const says[] = {"MPM's trial functions add up to 1: largest departure",
-                                       "GIMP's trial functions add up to 1: largest departure"};
     Curve curve;
     for (int m = 0; m < 2; m++) {
         curve_pick(&curve, r->rows, "r", "S", "method=%s", methods[m]);
-        claim(c, ids[m], says[m], unity(&curve), 0, 1e-15);
+        claim(
+            c, phrase("W07-2.%s-unity", methods[m]),
+            phrase("%s's trial functions add up to 1: largest departure", engine_label(methods[m])),
+            unity(&curve), 0, 1e-15);
     }
     check_nodes(c, r->rows);
     curve_pick(&curve, r->rows, "r", "G", "method=%s", methods[0]);
@@ -85,11 +84,4 @@ static void check(Check *c, const Results *r)
           jump(&curve), 0, 1.000001 / ((double)PARTS * half_width));
 }
 
-const Study study_w07_02_shapes = {
-    .name = "w07_02_shapes",
-    .figure = "W07-2",
-    .about = "trial functions of MPM and GIMP (half width h/4) and their gradients",
-    .tables = tables,
-    .check = check,
-    .claims = 6,
-};
+const StudyPage study_w07_02_shapes = {.tables = tables, .check = check, .claims = 6};

@@ -71,11 +71,4 @@ static void check(Check *c, const Results *r)
           worst_enhanced(r->rows), 0, 1e-13);
 }
 
-const Study study_w07_03_degenerate = {
-    .name = "w07_03_degenerate",
-    .figure = "W07-3",
-    .about = "a linear field projected from four degenerate arrangements of particles",
-    .cases = cases,
-    .check = check,
-    .claims = 5,
-};
+const StudyPage study_w07_03_degenerate = {.cases = cases, .check = check, .claims = 5};

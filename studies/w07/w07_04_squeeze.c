@@ -14,9 +14,4 @@ static void cases(Cases *list, bool quick)
                       "run squeeze --method gimp --cells %d --set particles=%d", CELLS, counts[k]);
 }
 
-const Study study_w07_04_squeeze = {
-    .name = "w07_04_squeeze",
-    .figure = "W07-4",
-    .about = "the squeeze test: particles in ten cells at several global particles per cell",
-    .cases = cases,
-};
+const StudyPage study_w07_04_squeeze = {.cases = cases};

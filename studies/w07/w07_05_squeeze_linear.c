@@ -75,11 +75,4 @@ static void check(Check *c, const Results *r)
           worst_zero(&curve), 0, 1e-13);
 }
 
-const Study study_w07_05_squeeze_linear = {
-    .name = "w07_05_squeeze_linear",
-    .figure = "W07-5",
-    .about = "squeeze, linear field: error of projected velocity against particles per cell",
-    .cases = cases,
-    .check = check,
-    .claims = 6,
-};
+const StudyPage study_w07_05_squeeze_linear = {.cases = cases, .check = check, .claims = 6};

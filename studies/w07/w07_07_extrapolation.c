@@ -75,12 +75,5 @@ static void check(Check *c, const Results *r)
           measure_ratio(enhanced, plain), 0, 0.8);
 }
 
-const Study study_w07_07_extrapolation = {
-    .name = "w07_07_extrapolation",
-    .figure = "W07-7",
-    .about = "a quadratic field: plain and extrapolated contributions of particles to nodes",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 2,
-};
+const StudyPage study_w07_07_extrapolation = {
+    .cases = cases, .tables = tables, .check = check, .claims = 2};

@@ -51,11 +51,4 @@ static void check(Check *c, const Results *r)
           worst, 0, 1e-13);
 }
 
-const Study study_w07_08_squeeze_linear_ge = {
-    .name = "w07_08_squeeze_linear_ge",
-    .figure = "W07-8",
-    .about = "squeeze, linear field: with gradient enhancement any particles report it exactly",
-    .cases = cases,
-    .check = check,
-    .claims = 3,
-};
+const StudyPage study_w07_08_squeeze_linear_ge = {.cases = cases, .check = check, .claims = 3};

@@ -37,11 +37,4 @@ static void check(Check *c, const Results *r)
           curve_at(&ge_gimp, 1.37), 2.077904e-5 - 5e-12, 2.077904e-5 + 5e-12);
 }
 
-const Study study_w07_09_squeeze_quadratic_ge = {
-    .name = "w07_09_squeeze_quadratic_ge",
-    .figure = "W07-9",
-    .about = "squeeze, quadratic field, with and without gradient enhancement",
-    .cases = cases,
-    .check = check,
-    .claims = 5,
-};
+const StudyPage study_w07_09_squeeze_quadratic_ge = {.cases = cases, .check = check, .claims = 5};

@@ -32,11 +32,4 @@ static void check(Check *c, const Results *r)
           off, 0, 0.001);
 }
 
-const Study study_w07_10_squeeze_meshes = {
-    .name = "w07_10_squeeze_meshes",
-    .figure = "W07-10",
-    .about = "squeeze, quadratic field, GE-GIMP: the plateau at three meshes",
-    .cases = cases,
-    .check = check,
-    .claims = 2,
-};
+const StudyPage study_w07_10_squeeze_meshes = {.cases = cases, .check = check, .claims = 2};

@@ -51,8 +51,7 @@ static Measure fine_tip(const Results *r)
 {
     const Table *t = results_run(r, "fine");
     Measure u = measure_sum_of(1);
-    if (t->nrow > 0)
-        measure_add(&u, select_number(t, t->nrow - 1, "x") - select_number(t, t->nrow - 1, "X"));
+    if (t->nrow > 0) measure_add(&u, select_last(t, "x") - select_last(t, "X"));
     return u;
 }
 
@@ -84,12 +83,5 @@ static void check(Check *check, const Results *r)
           measure_with(most, last_rise(&tip) / period), 0.98, 1.02);
 }
 
-const Study study_w07_11_bar_history = {
-    .name = "w07_11_bar_history",
-    .figure = "W07-11",
-    .about = "bar: displacement histories at four stations, GIMP and exact",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 3,
-};
+const StudyPage study_w07_11_bar_history = {
+    .cases = cases, .tables = tables, .check = check, .claims = 3};

@@ -224,12 +224,5 @@ static void check(Check *c, const Results *r)
     check_orders(c, r->rows);
 }
 
-const Study study_w07_12_bar_ppc = {
-    .name = "w07_12_bar_ppc",
-    .figure = "W07-12",
-    .about = "bar: error after one period against particles per cell, and runs lost in five",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 16,
-};
+const StudyPage study_w07_12_bar_ppc = {
+    .cases = cases, .tables = tables, .check = check, .claims = 16};

@@ -40,11 +40,4 @@ static void check(Check *c, const Results *r)
           asymmetry(results_run(r, "start"), results_run(r, "half")), 0, 0.1);
 }
 
-const Study study_w07_14_plate_positions = {
-    .name = "w07_14_plate_positions",
-    .figure = "W07-14",
-    .about = "plate vibration: particles at the start and half a period later",
-    .cases = cases,
-    .check = check,
-    .claims = 1,
-};
+const StudyPage study_w07_14_plate_positions = {.cases = cases, .check = check, .claims = 1};

@@ -6,7 +6,6 @@
  * finite strain alone: zero tangential velocity is imposed at fixed nodes on edges that move, which
  * leaves an error of pi A/4 relative to A even with a law that is exactly linear. */
 #include <math.h>
-#include <stdio.h>
 #include "forty_percent.h"
 #include "studies/tables/curves.h"
 
@@ -36,10 +35,10 @@ static void pick(Curve *c, const Table *rows, const char *x, int method, const c
     curve_pick(c, rows, x, "error_linf", "method=%s A=%s law=%s", methods[method], A, law);
 }
 
-static const double printed[METHODS][PRINTED][3] = {
-    {{8, 9.37e-2, 1}, {16, 2.93e-2, 1}, {32, 1.29e-2, 1}, {64, 1.22e-2, 1}, {128, 4.91e-2, 1}},
-    {{8, 9.38e-2, 1}, {16, 2.61e-2, 1}, {32, 9.37e-3, 1}, {64, 5.31e-3, 1}, {128, 4.40e-3, 1}},
-    {{8, 5.33e-2, 1}, {16, 1.55e-2, 1}, {32, 6.72e-3, 1}, {64, 4.59e-3, 1}, {128, 4.24e-3, 1}}};
+/* Agreed errors at 1/8, 1/16, ... 1/128. */
+static const double printed[METHODS][PRINTED] = {{9.37e-2, 2.93e-2, 1.29e-2, 1.22e-2, 4.91e-2},
+                                                 {9.38e-2, 2.61e-2, 9.37e-3, 5.31e-3, 4.40e-3},
+                                                 {5.33e-2, 1.55e-2, 6.72e-3, 4.59e-3, 4.24e-3}};
 
 static void check_values(Check *c, const Table *rows)
 {
@@ -53,7 +52,7 @@ static void check_values(Check *c, const Table *rows)
         claim(c, phrase("W07-15.%s-values", ids[m]),
               phrase("Plate, %s: largest departure from the recorded errors at 1/8 ... 1/128",
                      labels[m]),
-              curve_deviation(&curve, PRINTED, printed[m]), 0, m ? 0.01 : 0.05);
+              curve_deviation(&curve, 8, PRINTED, printed[m], 1), 0, m ? 0.01 : 0.05);
     }
     claim(
         c, "W07-15.mpm-unreliable",
@@ -159,13 +158,4 @@ static void check(Check *c, const Results *r)
           measure_times(curve_at(&curve, 128), 1 / (M_PI * 0.004 / 4)), 0.9, 1.1);
 }
 
-const Study study_w07_15_plate = {
-    .name = "w07_15_plate",
-    .figure = "W07-15",
-    .about =
-        "plate vibration: convergence in h of MPM (uvf), GIMP and GE-GIMP (cd), two amplitudes",
-    .cases = cases,
-    .check = check,
-    .also = "cpdi",
-    .claims = 18,
-};
+const StudyPage study_w07_15_plate = {.cases = cases, .check = check, .claims = 18, .also = "cpdi"};

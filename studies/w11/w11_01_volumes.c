@@ -29,11 +29,11 @@ static void cases(Cases *list, bool quick)
 /* Sum of the areas of all polygons in a file of patches, over the area there should be. */
 static Measure area_of(const Results *r, const char *part, double right)
 {
-    char *path = results_path(r, part), line[256];
+    const char *path = results_path(r, part);
+    char line[256];
     double twice = 0, first[2] = {0, 0}, last[2] = {0, 0};
     int corners = 0;
     FILE *f = path ? fopen(path, "r") : NULL;
-    free(path);
     if (!f) return measure(NAN, 0, CORNERS);
     while (fgets(line, sizeof line, f)) {
         int cell, k;
@@ -138,11 +138,4 @@ static void check(Check *c, const Results *r)
     claim_note(c, "error_wls", drawn.value - 1);
 }
 
-const Study study_w11_01_volumes = {
-    .name = "w11_01_volumes",
-    .figure = "W11-1",
-    .about = "how volume is divided: triangles, GIMP's particles, WLS's cut cells",
-    .cases = cases,
-    .check = check,
-    .claims = 8,
-};
+const StudyPage study_w11_01_volumes = {.cases = cases, .check = check, .claims = 8};

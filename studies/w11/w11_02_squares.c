@@ -1,7 +1,6 @@
 /* w11_02_squares.c: the shapes of a cut cell: triangle, quadrilateral, pentagon, square, saddle.
  * Wallstedt and Guilkey (2011), fig. 2; eq 18. */
 #include <math.h>
-#include <stdlib.h>
 #include "common/base/polygon.h"
 #include "studies/tables/curves.h"
 
@@ -149,11 +148,4 @@ static void check(Check *c, const Results *r)
           measure_formula(fastest_change()), 1, 1.001 * M_SQRT2);
 }
 
-const Study study_w11_02_squares = {
-    .name = "w11_02_squares",
-    .figure = "W11-2",
-    .about = "the shapes of a cut cell: triangle, quadrilateral, pentagon, square, saddle",
-    .tables = tables,
-    .check = check,
-    .claims = 2,
-};
+const StudyPage study_w11_02_squares = {.tables = tables, .check = check, .claims = 2};

@@ -2,7 +2,6 @@
  * those whose largest weight is at most the trigger, at the start, where the radii are .625
  * and 1.1. Wallstedt and Guilkey (2011), fig. 3. */
 #include <math.h>
-#include <stdlib.h>
 #include "studies/tables/curves.h"
 
 enum {
@@ -121,12 +120,5 @@ static void check(Check *c, const Results *r)
     claim_note(c, "spurious", spurious);
 }
 
-const Study study_w11_03_spurious = {
-    .name = "w11_03_spurious",
-    .figure = "W11-3",
-    .about = "weight of a node, the trigger weight, and spurious nodes on the ring",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 3,
-};
+const StudyPage study_w11_03_spurious = {
+    .cases = cases, .tables = tables, .check = check, .claims = 3};

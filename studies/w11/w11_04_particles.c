@@ -11,9 +11,4 @@ static void cases(Cases *list, bool quick)
                   "run ring --cells 16 --set layout=radial --set steps=1");
 }
 
-const Study study_w11_04_particles = {
-    .name = "w11_04_particles",
-    .figure = "W11-4",
-    .about = "cartesian and radial particles in the quarter ring",
-    .cases = cases,
-};
+const StudyPage study_w11_04_particles = {.cases = cases};

@@ -38,11 +38,4 @@ static void check(Check *c, const Results *r)
           measure_ratio(largest_stress(r, "5ms"), largest_stress(r, "0ms")), 0, 0.1);
 }
 
-const Study study_w11_05_ring_stress = {
-    .name = "w11_05_ring_stress",
-    .figure = "W11-5",
-    .about = "ring: radial and hoop stress at 0, 5 and 10 ms",
-    .cases = cases,
-    .check = check,
-    .claims = 1,
-};
+const StudyPage study_w11_05_ring_stress = {.cases = cases, .check = check, .claims = 1};

@@ -20,15 +20,9 @@ static void one_method(Cases *list, const char *method, const char *more, bool q
 
 static void cases(Cases *list, bool quick)
 {
-    for (const Info *const *m = engine_2d.methods; *m; m++) one_method(list, (*m)->name, "", quick);
+    EACH_METHOD(m, &engine_2d) one_method(list, m->name, "", quick);
     one_method(list, "gimp", " --set layout=radial", quick);
     case_add(list, "run ring --method wls --cells %d --cfl .6", quick ? 11 : 64);
-}
-
-/* Errors of one method and layout over N at CFL .3. */
-static void errors(Curve *c, const Table *t, const char *method, const char *layout)
-{
-    curve_pick(c, t, "cells", "error_linf", "method=%s layout=%s cfl=0.3", method, layout);
 }
 
 static Measure error_at(const Table *t, const char *method, const char *layout, int n)
@@ -128,7 +122,7 @@ static void check_wls(Check *c, const Table *t)
 static Measure lost_steps(const Table *t)
 {
     Measure lost = measure_sum_of(8);
-    for (int row = -1; (row = select_next(t, row, "method=wls cells=32")) >= 0;)
+    EACH_ROW(row, t, "method=wls cells=32")
         if (select_number(t, row, "cfl") <= 0.7 + 1e-9) measure_add(&lost, select_is_lost(t, row));
     return lost;
 }
@@ -137,8 +131,8 @@ static Measure lost_steps(const Table *t)
 static void check_orders(Check *c, const Table *t)
 {
     Curve wls, fem, step;
-    errors(&wls, t, "wls", "radial");
-    errors(&fem, t, "fem", "cartesian");
+    curve_pick(&wls, t, "cells", "error_linf", "method=wls layout=radial cfl=0.3");
+    curve_pick(&fem, t, "cells", "error_linf", "method=fem layout=cartesian cfl=0.3");
     curve_pick(&step, t, "cfl", "error_linf", "method=wls cells=64");
     claim_differs(c, "W11-6.wls-order-coarse",
                   "Ring: WLS is of second order on coarser meshes: fitted over N = 8 to 45",
@@ -191,18 +185,11 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-6.mpm-order", "Ring: MPM does not converge: order over N = 8 to 128",
           order(r->rows, "mpm", "cartesian", 8, 128, MESHES), -1, 0);
     claim_note(c, "order_gimp_radial", order(r->rows, "gimp", "radial", 8, 128, MESHES).value);
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
-        const double lattice = order(r->rows, (*m)->name, "cartesian", 8, 128, MESHES).value;
-        const double fitted = order(r->rows, (*m)->name, "radial", 8, 128, MESHES).value;
-        claim_note(c, phrase("order_%s", (*m)->name), isnan(lattice) ? fitted : lattice);
+    EACH_METHOD(m, &engine_2d) {
+        const double lattice = order(r->rows, m->name, "cartesian", 8, 128, MESHES).value;
+        const double fitted = order(r->rows, m->name, "radial", 8, 128, MESHES).value;
+        claim_note(c, phrase("order_%s", m->name), isnan(lattice) ? fitted : lattice);
     }
 }
 
-const Study study_w11_06_ring = {
-    .name = "w11_06_ring",
-    .figure = "W11-6",
-    .about = "ring: convergence in space and in time, every method (cd; MPM: uvf) and FEM",
-    .cases = cases,
-    .check = check,
-    .claims = 25,
-};
+const StudyPage study_w11_06_ring = {.cases = cases, .check = check, .claims = 25};

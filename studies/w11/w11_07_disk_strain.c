@@ -6,7 +6,6 @@
 #include <math.h>
 #include "studies/tables/curves.h"
 
-static const char name[] = "w11_07_disk_strain";
 static const char *const methods[] = {"wls", "gimp"};
 static const struct {
     const char *time, *t_end;
@@ -63,11 +62,4 @@ static void check(Check *c, const Results *r)
           measure_ratio(last.vx, start.vx), -0.6, -0.1);
 }
 
-const Study study_w11_07_disk_strain = {
-    .name = name,
-    .figure = "W11-7",
-    .about = "disk: strain energy per volume at three times",
-    .cases = cases,
-    .check = check,
-    .claims = 4,
-};
+const StudyPage study_w11_07_disk_strain = {.cases = cases, .check = check, .claims = 4};

@@ -14,9 +14,9 @@ static const char *const unilateral[] = {"wls", "wls2", "gimp"};
 static void cases(Cases *list, bool quick)
 {
     const int cells = quick ? 12 : 48;
-    for (const Info *const *m = engine_2d.methods; *m; m++)
-        case_add_with(list, "history", (*m)->name, "run disk_impact --method %s --cells %d",
-                      (*m)->name, cells);
+    EACH_METHOD(m, &engine_2d)
+        case_add_with(list, "history", m->name, "run disk_impact --method %s --cells %d", m->name,
+                      cells);
     for (int k = 0; k < 3; k++)
         case_add_with(list, "history", phrase("%s_unilateral", unilateral[k]),
                       "run disk_impact --method %s --cells %d --set wall=unilateral", unilateral[k],
@@ -98,19 +98,12 @@ static void check(Check *c, const Results *r)
         c, "W11-8.unilateral",
         "Disk: a unilateral wall halves WLS's overshoot of energy: ratio of largest total less E0",
         measure_ratio(bounce(r, "wls_unilateral").over, bounce(r, "wls").over), 0, 0.65);
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
-        const Bounce b = bounce(r, (*m)->name);
-        claim_note(c, phrase("back_%s", (*m)->name), b.back);
-        claim_note(c, phrase("start_%s", (*m)->name), b.start);
+    EACH_METHOD(m, &engine_2d) {
+        const Bounce b = bounce(r, m->name);
+        claim_note(c, phrase("back_%s", m->name), b.back);
+        claim_note(c, phrase("start_%s", m->name), b.start);
     }
 }
 
-const Study study_w11_08_disk_energy = {
-    .name = "w11_08_disk_energy",
-    .figure = "W11-8",
-    .about = "disk: energies through two impacts, every method (cd; MPM: uvf)",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 14,
-};
+const StudyPage study_w11_08_disk_energy = {
+    .cases = cases, .tables = tables, .check = check, .claims = 14};

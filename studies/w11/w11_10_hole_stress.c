@@ -6,8 +6,6 @@
  * difference from the reference at the same reference point, and scatter of that difference about
  * its mean of seven neighbours in angle. */
 #include <math.h>
-#include <string.h>
-#include "studies/runs/engines.h"
 #include "studies/tables/curves.h"
 #include "studies/tables/hole.h"
 
@@ -21,10 +19,10 @@ static void cases(Cases *list, bool quick)
                   quick ? FINE_QUICK : FINE);
     case_add_with(list, "particles", phrase("%s.%d", fem_nodes, quick ? 16 : 32),
                   "run hole_plate --method fem --cells %d", quick ? 16 : 32);
-    for (const Info *const *m = engine_2d.methods; *m; m++)
+    EACH_METHOD(m, &engine_2d)
         for (int k = 0; k < (quick ? 1 : MESHES); k++)
-            case_add_with(list, "samples", phrase("%s.%d", (*m)->name, meshes[k]),
-                          "run hole_plate --method %s --cells %d", (*m)->name, meshes[k]);
+            case_add_with(list, "samples", phrase("%s.%d", m->name, meshes[k]),
+                          "run hole_plate --method %s --cells %d", m->name, meshes[k]);
 }
 
 /* The reference every degree along the hole. */
@@ -61,9 +59,8 @@ static void tables(const Results *r)
     if (hole_reference_read(&truth, results_run(r, "reference"), r->quick ? FINE_QUICK : FINE) ==
         0) {
         write_truth(f, &truth, results_status(r, "reference"));
-        for (const Info *const *m = engine_2d.methods; *m; m++)
-            for (int k = 0; k < MESHES; k++)
-                write_run(points, sums, r, (*m)->name, meshes[k], &truth);
+        EACH_METHOD(m, &engine_2d)
+            for (int k = 0; k < MESHES; k++) write_run(points, sums, r, m->name, meshes[k], &truth);
         for (int k = 0; k < MESHES; k++) write_run(points, sums, r, fem_nodes, meshes[k], &truth);
         hole_reference_free(&truth);
     }
@@ -161,20 +158,12 @@ static void check(Check *c, const Results *r)
     claim(c, "W11-10.whole",
           "Plate with a hole: WLS2 completes on every mesh, h = 1/16 to 1/64: of five",
           measure_with(lost, (double)MESHES - lost.value), 5, 5);
-    for (const Info *const *m = engine_2d.methods; *m; m++) {
-        const char *name = (*m)->name;
+    EACH_METHOD(m, &engine_2d) {
+        const char *name = m->name;
         claim_note(c, phrase("rms_%s", name), result(sums, "rms", name, 32).value);
         claim_note(c, phrase("scatter_%s", name), result(sums, "scatter", name, 32).value);
     }
 }
 
-const Study study_w11_10_hole_stress = {
-    .name = "w11_10_hole_stress",
-    .figure = "W11-10",
-    .about =
-        "plate with hole: von Mises stress along the hole, every method (cd; MPM: uvf), fine FEM",
-    .cases = cases,
-    .tables = tables,
-    .check = check,
-    .claims = 15,
-};
+const StudyPage study_w11_10_hole_stress = {
+    .cases = cases, .tables = tables, .check = check, .claims = 15};

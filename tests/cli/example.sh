@@ -54,7 +54,7 @@ cp tests/problems/example_problem.c problems/free_bar.c
 echo 'PROBLEM(free_bar, 1, 0, 0)' >>problems/problems.def
 cp tests/studies/example_study.c studies/own/t_90_free_bar.c
 cp tests/studies/example_plot.gp plots/own/t_90_free_bar.gp
-echo 'STUDY(own, t_90_free_bar)' >>studies/studies.def
+echo 'STUDY(own, t_90_free_bar, "T-90", "free bar: convergence of GIMP and GE-GIMP")' >>studies/studies.def
 ok "the examples compile" compile
 ok "is listed" grep -q "^method.rpic.1,2" <("$program" list methods)
 ok "is described" grep -q 'Jiang' <("$program" describe rpic)

@@ -24,7 +24,7 @@ static const Case on_nodes[][2] = {
 /* Steps of threads and poison. */
 enum { FEW = IN_THIS_DIM(20, 20, 3) };
 
-typedef void Check(Rig *r);
+typedef void Check(Fixture *r);
 
 /* Runs a check over every pair, with and without refresh where it matters; variants with one pass
  * and two; in 3D, where it takes long, all with the first integrator alone: steps and loops are the
@@ -34,11 +34,11 @@ static inline void for_cases(const Case *scene, Check *check)
     char set[VARIANT_TEXT];
     FOR_METHODS(m) for (int k = 0; k < VARIANTS; k++) FOR_INTEGRATORS(i) for (int f = 0; f < 2; f++)
     {
-        Rig r;
+        Fixture r;
         if ((f && i != UVF && i != MUSL) || (DIM > 2 && i != CD) || (k && i > UVF)) continue;
-        if (!rig_variant(*m, k, f ? "allow_unstable=1;refresh=1" : "allow_unstable=1", set))
+        if (!fixture_variant(*m, k, f ? "allow_unstable=1;refresh=1" : "allow_unstable=1", set))
             continue;
-        CU_ASSERT_FATAL(rig_plan(&r, scene, (*m)->info.name, i, set));
+        CU_ASSERT_FATAL(fixture_plan(&r, scene, (*m)->info.name, i, set));
         check(&r);
     }
 }
@@ -48,9 +48,10 @@ static inline void for_total(const Case *scene, Check *check)
 {
     FOR_METHODS(m)
     {
-        Rig r;
+        Fixture r;
         if ((*m)->assemble || (*m)->integrate) continue;
-        CU_ASSERT_FATAL(rig_plan(&r, scene, (*m)->info.name, UVF, "allow_unstable=1;frame=total"));
+        CU_ASSERT_FATAL(
+            fixture_plan(&r, scene, (*m)->info.name, UVF, "allow_unstable=1;frame=total"));
         check(&r);
     }
 }

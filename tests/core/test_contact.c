@@ -23,7 +23,7 @@ static double total(const End *e, int a, int from, int to)
 
 /* Largest change of total momentum, less what walls and body forces gave, in any one step, over
  * sum m |v| at the start. */
-static double steps_of(const Rig *r, void *core, int from, int to, StatusCode *code)
+static double steps_of(const Fixture *r, void *core, int from, int to, StatusCode *code)
 {
     double worst = 0;
     *code = OK;
@@ -50,7 +50,7 @@ static double steps_of(const Rig *r, void *core, int from, int to, StatusCode *c
     return worst;
 }
 
-static End *end_of(const Rig *r, int steps, double *drift)
+static End *end_of(const Fixture *r, int steps, double *drift)
 {
     Fault fault = {0};
     Points p;
@@ -87,7 +87,7 @@ static const Case *scene(void)
 }
 
 /* Steps from before the first contact until after the last of this dimension's scene. */
-static int whole(const Rig *r)
+static int whole(const Fixture *r)
 {
     return (int)ceil((DIM == 1 ? 0.025 : 1.8) / r->dt);
 }
@@ -106,10 +106,10 @@ static void test_momentum(void)
     int runs = 0;
     FOR_METHODS(m) FOR_INTEGRATORS(i) for (int k = 0; k < COUNT(more); k++)
     {
-        Rig r;
+        Fixture r;
         double drift;
-        if ((*m)->surface || !rig_valid(*m, i, false) ||
-            !rig_plan(&r, scene(), (*m)->info.name, i, more[k]))
+        if ((*m)->surface || !fixture_valid(*m, i, false) ||
+            !fixture_plan(&r, scene(), (*m)->info.name, i, more[k]))
             continue;
         runs++;
         End *e = end_of(&r, whole(&r), &drift);
@@ -124,20 +124,20 @@ static void test_momentum(void)
 /* Each of two bodies with a method of its own. */
 static void test_two_methods(void)
 {
-    Rig r;
+    Fixture r;
     double drift;
-    CU_ASSERT_FATAL(rig_plan(&r, scene(), "ge_gimp+apic", CD, NULL));
+    CU_ASSERT_FATAL(fixture_plan(&r, scene(), "ge_gimp+apic", CD, NULL));
     End *e = end_of(&r, whole(&r), &drift);
     CU_ASSERT(e->code == OK && drift < 1e-14);
     CU_ASSERT(total(e, 0, 0, e->second) < 0 && total(e, 0, e->second, e->n) > 0); /* exchanged */
     free(e);
-    CU_ASSERT(rig_plan(&r, scene(), "gimp+gimp", CD, NULL));
+    CU_ASSERT(fixture_plan(&r, scene(), "gimp+gimp", CD, NULL));
     CHECK_TEXT(r.spec.method, "gimp");
-    CU_ASSERT(!rig_plan(&r, scene(), "gimp+fem", CD, NULL));
-    CU_ASSERT(!rig_plan(&r, scene(), "ge_gimp+gimp", MUSL, "contact=none")); /* unstable */
-    CU_ASSERT(!rig_plan(&r, scene(), "gimp", MUSL, NULL));                   /* contact.c */
-    CU_ASSERT(rig_plan(&r, scene(), "gimp", MUSL, "contact=none"));
-    CU_ASSERT(rig_plan(&r, scene(), "gimp+mpm", CD, NULL));
+    CU_ASSERT(!fixture_plan(&r, scene(), "gimp+fem", CD, NULL));
+    CU_ASSERT(!fixture_plan(&r, scene(), "ge_gimp+gimp", MUSL, "contact=none")); /* unstable */
+    CU_ASSERT(!fixture_plan(&r, scene(), "gimp", MUSL, NULL));                   /* contact.c */
+    CU_ASSERT(fixture_plan(&r, scene(), "gimp", MUSL, "contact=none"));
+    CU_ASSERT(fixture_plan(&r, scene(), "gimp+mpm", CD, NULL));
 }
 
 /* contact=none is one body with the particles of both: the same scene as a single Sim. */
@@ -187,8 +187,8 @@ static void test_single_field(void)
     static const char *const names[] = {"mpm", "gimp", "ge_gimp", "apic"};
     static const Integrator integrator[] = {UVF, MUSL, CD, CD};
     for (int k = 0; k < COUNT(names); k++) {
-        Rig r;
-        CU_ASSERT_FATAL(rig_plan(&r, scene(), names[k], integrator[k], "contact=none"));
+        Fixture r;
+        CU_ASSERT_FATAL(fixture_plan(&r, scene(), names[k], integrator[k], "contact=none"));
         End *two = end_of(&r, whole(&r) / 2, NULL);
         single = *r.plan.scene.problem;
         single.part = NULL;
@@ -209,11 +209,11 @@ static void test_symmetry(void)
 {
     FOR_METHODS(m)
     {
-        Rig r;
+        Fixture r;
         const double middle = DIM == 1 ? 2 : 0.5;
-        if ((*m)->surface || !rig_plan(&r, scene(), (*m)->info.name, CD, "allow_unstable=1"))
+        if ((*m)->surface || !fixture_plan(&r, scene(), (*m)->info.name, CD, "allow_unstable=1"))
             continue;
-        if (!rig_valid(*m, CD, false) || tents_alone(*m, CD)) continue;
+        if (!fixture_valid(*m, CD, false) || tents_alone(*m, CD)) continue;
         /* fixed modes amplify round-off: to the time of the impact only */
         const int steps = (*m)->modes ? whole(&r) / 2 : whole(&r);
         End *e = end_of(&r, steps, NULL), *turned = calloc(1, sizeof *e);
@@ -233,8 +233,8 @@ static void test_symmetry(void)
 /* The number of threads changes no bit. */
 static void test_threads(void)
 {
-    Rig r;
-    CU_ASSERT_FATAL(rig_plan(&r, scene(), "gimp", CD, "mu=0.3"));
+    Fixture r;
+    CU_ASSERT_FATAL(fixture_plan(&r, scene(), "gimp", CD, "mu=0.3"));
     End *one = end_of(&r, whole(&r), NULL);
     r.plan.setup.threads = 3;
     End *three = end_of(&r, whole(&r), NULL);
@@ -250,13 +250,13 @@ static void test_incline(void)
     static const char *const names[] = {"gimp", "ge_gimp", "flip_pic"};
     static const double mu[] = {0, 0.1, 0.3, 0.4}, t = 0.2, whole_mass = 500;
     for (int k = 0; DIM == 2 && k < COUNT(names) * COUNT(mu); k++) {
-        Rig r;
+        Fixture r;
         char set[32];
         double drift;
         const double f = mu[k % COUNT(mu)], down = 10 * sin(M_PI / 9), press = 10 * cos(M_PI / 9);
         const double a = fmax(0, down - f * press), work = f * press * a * t * t / 2 * whole_mass;
         snprintf(set, sizeof set, "mu=%g", f);
-        CU_ASSERT_FATAL(rig_plan(&r, &slope, names[k / COUNT(mu)], CD, set));
+        CU_ASSERT_FATAL(fixture_plan(&r, &slope, names[k / COUNT(mu)], CD, set));
         const int n = (int)ceil(t / r.dt), early = n / 4;
         End *e = end_of(&r, n, &drift), *from = end_of(&r, early, NULL);
         CU_ASSERT(e->code == OK && (drift < 1e-14 || !(a > 0))); /* at rest sum m |v| is no scale */
@@ -273,7 +273,7 @@ static void test_incline(void)
 /* Two disks: with the approach of a node lost in one step the energy would be .060 less. */
 static void test_slow_loss(void)
 {
-    RunSpec spec = rig_spec(&disks, "gimp", NULL, NULL);
+    RunSpec spec = fixture_spec(&disks, "gimp", NULL, NULL);
     Row row = row_empty();
     if (DIM != 2) return;
     spec.t_end = 0.8;

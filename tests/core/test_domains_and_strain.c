@@ -13,7 +13,7 @@ enum { ROUNDS = 200 };
 
 static void random_matrix(double size, Mat out)
 {
-    for (int k = 0; k < NMAT; k++) out[k] = rig_random(-size, size);
+    for (int k = 0; k < NMAT; k++) out[k] = fixture_random(-size, size);
 }
 
 /* J > 0, stretches up to some 4. */
@@ -69,11 +69,11 @@ static void turned(double angle, const double stretch[3], Mat F)
                                                                      : 0);
 }
 
-static Sim *block(Rig *r, const char *more)
+static Sim *block(Fixture *r, const char *more)
 {
     const Case c = {DIM, "free_block", 8, 0, 0, "spin=0;drift=0;swing=0"};
-    CU_ASSERT_FATAL(rig_plan(r, &c, "gimp", CD, more));
-    return rig_sim(r);
+    CU_ASSERT_FATAL(fixture_plan(r, &c, "gimp", CD, more));
+    return fixture_sim(r);
 }
 
 static void set_all(Sim *sim, const Mat F)
@@ -89,7 +89,7 @@ static void test_half_widths(void)
     static const char *const rules[] = {"domain=fxx", "domain=stretch", "domain=undeformed"};
     for (int rule = 0; rule < 3 && DIM < 3; rule++)
         for (int k = 0; k <= 8; k++) {
-            Rig r;
+            Fixture r;
             Mat F;
             Field b;
             const double angle = k * M_PI / 4;
@@ -117,7 +117,7 @@ static void test_wide(void)
     static const double stretches[] = {1e-3, 1, 2.9, 4, 50};
     for (int k = 0; k < 3 * COUNT(stretches) && DIM < 3; k++) {
         const double stretch = stretches[k / 3], all[3] = {stretch, stretch, stretch};
-        Rig r;
+        Fixture r;
         Mat F;
         double mass = 0, force = 0, size = 0;
         Sim *sim = block(&r, rules[k % 3]);
@@ -188,13 +188,13 @@ static void check_update(const char *method, Integrator i, const char *rule)
 {
     const Case c = {DIM, "free_block", 8, 0, 0, "allow_unstable=1;frame=current"};
     double *F[2];
-    Rig r;
+    Fixture r;
     int n = 0;
     for (int k = 0; k < 2; k++) {
-        CU_ASSERT_FATAL(rig_plan(&r, &c, method, i, k ? rule : NULL));
-        Sim *sim = rig_sim(&r);
-        CU_ASSERT_FATAL(rig_steps(&r, sim, 0, 1));
-        F[k] = rig_state(sim);
+        CU_ASSERT_FATAL(fixture_plan(&r, &c, method, i, k ? rule : NULL));
+        Sim *sim = fixture_sim(&r);
+        CU_ASSERT_FATAL(fixture_steps(&r, sim, 0, 1));
+        F[k] = fixture_state(sim);
         n = sim->p.count;
         sim_free(sim);
     }
@@ -215,10 +215,11 @@ static void check_update(const char *method, Integrator i, const char *rule)
     }
     CU_ASSERT(most < 1e-14);
     if (i != USF) { /* there F comes first */
-        CU_ASSERT(rig_gap(F[0], F[1], n, AT_X, DIM) < 1e-15);
-        CU_ASSERT(rig_gap(F[0], F[1], n, AT_L, NMAT) <= 1e-12 * rig_size(F[0], n, AT_L, NMAT));
+        CU_ASSERT(fixture_gap(F[0], F[1], n, AT_X, DIM) < 1e-15);
+        CU_ASSERT(fixture_gap(F[0], F[1], n, AT_L, NMAT) <=
+                  1e-12 * fixture_size(F[0], n, AT_L, NMAT));
     }
-    CU_ASSERT(rig_gap(F[0], F[1], n, AT_F, NMAT) > 1e-7);
+    CU_ASSERT(fixture_gap(F[0], F[1], n, AT_F, NMAT) > 1e-7);
     free(F[0]), free(F[1]);
 }
 

@@ -10,7 +10,7 @@ static Row run(const Case *c, const char *method, Integrator i, const char *more
 {
     Row row = row_empty();
     Fault fault = {0};
-    const RunSpec spec = rig_spec(c, method, step_integrators[i].name, more);
+    const RunSpec spec = fixture_spec(c, method, step_integrators[i].name, more);
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     return row;
 }
@@ -33,11 +33,12 @@ static void test_momentum_ledger(void)
     char set[VARIANT_TEXT];
     for (int k = 0; k < COUNT(pushed); k++) FOR_METHODS(m) FOR_INTEGRATORS(i)
         {
-            if (pushed[k].scene.dim != DIM || !rig_valid(*m, i, true)) continue;
+            if (pushed[k].scene.dim != DIM || !fixture_valid(*m, i, true)) continue;
             if (DIM > 2 && i > UVF) continue; /* one pass and two, for time */
-            const bool fresh = !rig_valid(*m, i, false);
+            const bool fresh = !fixture_valid(*m, i, false);
             for (int v = 0; v < (DIM > 2 && i != CD ? 1 : VARIANTS); v++) {
-                if (!rig_variant(*m, v, fresh ? "refresh=1;steps=30" : "steps=30", set)) continue;
+                if (!fixture_variant(*m, v, fresh ? "refresh=1;steps=30" : "steps=30", set))
+                    continue;
                 const Row row = run(&pushed[k].scene, (*m)->info.name, i, set);
                 CU_ASSERT(row.momentum_drift < ((*m)->assemble ? pushed[k].wls : 1e-12));
             }
@@ -112,15 +113,15 @@ static bool check_grid_now(Sim *sim, double t, double dt)
     return all.lost < 1e-12 * all.size;
 }
 
-static int check_grid_ledger(Rig *r)
+static int check_grid_ledger(Fixture *r)
 {
     r->plan.setup.snapshot_nodes = true;
-    Sim *sim = rig_sim(r);
+    Sim *sim = fixture_sim(r);
     double given = 0;
     int strict = 0;
     for (int k = 0; k < 40; k++) {
-        if (!rig_steps(r, sim, k, k + 1)) break; /* some runs are lost with this trigger */
-        if (sim->travel > 1) continue;           /* to be sorted first */
+        if (!fixture_steps(r, sim, k, k + 1)) break; /* some runs are lost with this trigger */
+        if (sim->travel > 1) continue;               /* to be sorted first */
         strict += check_grid_now(sim, k * r->dt, r->dt);
         for (int a = 0; a < DIM; a++) given += fabs(sim->impulse[a]);
     }
@@ -134,8 +135,8 @@ static void test_wls_grid_ledger(void)
     int strict = 0;
     for (int k = 0; k < COUNT(walled); k++)
         for (int m = 0; m < COUNT(kinds) && walled[k].dim == DIM; m++) {
-            Rig r;
-            CU_ASSERT_FATAL(rig_plan(&r, &walled[k], kinds[m][0], CD, kinds[m][1]));
+            Fixture r;
+            CU_ASSERT_FATAL(fixture_plan(&r, &walled[k], kinds[m][0], CD, kinds[m][1]));
             strict += check_grid_ledger(&r);
         }
     CU_ASSERT(DIM > 2 || strict >= 150);
@@ -227,7 +228,7 @@ static void test_history(void)
     Row row;
     Fault fault;
     if (DIM != 2) return;
-    RunSpec spec = rig_spec(&(Case){2, "ring", 8, 4, 0, NULL}, "gimp", "cd", NULL);
+    RunSpec spec = fixture_spec(&(Case){2, "ring", 8, 4, 0, NULL}, "gimp", "cd", NULL);
     spec.history = path;
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     const int n = read_history(path, WORK, work, COUNT(work));

@@ -23,8 +23,8 @@ static bool throw_in(const Scene *s, double spacing, bool fitted, Layout *out)
     (void)spacing, (void)fitted;
     for (int k = 0; k < 500; k++) {
         Vec X;
-        for (int d = 0; d < DIM; d++) X[d] = rig_random(s->body_lo[d], s->body_hi[d]);
-        layout_add(out, X, rig_random(0.001, 0.01), NULL);
+        for (int d = 0; d < DIM; d++) X[d] = fixture_random(s->body_lo[d], s->body_hi[d]);
+        layout_add(out, X, fixture_random(0.001, 0.01), NULL);
     }
     return true;
 }
@@ -57,7 +57,7 @@ static const Problem thrown = {
 enum { THROWN_CELLS = DIM < 3 ? 8 : 3 };
 
 /* Largest error of a node's velocity after a projection. */
-static double projection_error(Rig *r)
+static double projection_error(Fixture *r)
 {
     Nodes nodes;
     double worst = 0;
@@ -80,8 +80,8 @@ static void test_linear_field(void)
 {
     FOR_METHODS(m) for (int ppc = 1; ppc <= 4; ppc++)
     {
-        Rig r;
-        rig_scene(&r, &thrown, *m, CD, THROWN_CELLS, pow(ppc, DIM));
+        Fixture r;
+        fixture_scene(&r, &thrown, *m, CD, THROWN_CELLS, pow(ppc, DIM));
         const double error = projection_error(&r);
         /* exact but at spurious nodes; from the exact gradient that the scene starts with */
         const bool by_chance = (*m)->surface || (*m)->affine;
@@ -94,14 +94,14 @@ static void test_gradient_of_field(void)
 {
     FOR_METHODS(m)
     {
-        Rig r;
+        Fixture r;
         if (!(*m)->linear_exact) continue;
-        rig_scene(&r, &thrown, *m, CD, THROWN_CELLS, pow(2, DIM));
+        fixture_scene(&r, &thrown, *m, CD, THROWN_CELLS, pow(2, DIM));
         r.plan.scene.mat = material_make(NEO_HOOKEAN, 1e-20, 0, 2);
         r.dt = 1e-2;
-        Sim *sim = rig_sim(&r);
-        CU_ASSERT_FATAL(rig_steps(&r, sim, 0, 1));
-        double *s = rig_state(sim);
+        Sim *sim = fixture_sim(&r);
+        CU_ASSERT_FATAL(fixture_steps(&r, sim, 0, 1));
+        double *s = fixture_state(sim);
         const int n = sim->p.count;
         for (int k = 0; k < n; k++)
             for (int a = 0; a < DIM; a++)
@@ -129,7 +129,7 @@ static void stretch_start(const Scene *s, int n, ConstFields X, Fields u, Fields
 
 static const Problem stretched = {.cfl = 0.1, .init = box_init, .start = stretch_start};
 
-static bool inside(const Rig *r, const Vec x, double margin)
+static bool inside(const Fixture *r, const Vec x, double margin)
 {
     const double *k = r->plan.scene.k;
     for (int d = 0; d < DIM; d++)
@@ -146,7 +146,7 @@ static bool follows_F(const Method *m)
 }
 
 /* A node one cell within the body then carries rho/J h^DIM, and feels no force. */
-static void check_nodes(void *core, const Rig *r)
+static void check_nodes(void *core, const Fixture *r)
 {
     Nodes nodes;
     double J = 1, worst = 0;
@@ -167,9 +167,9 @@ static void check_nodes(void *core, const Rig *r)
 }
 
 /* Velocities after one step from rest, deep inside and at the edge. */
-static void check_forces(const Sim *sim, const Rig *r)
+static void check_forces(const Sim *sim, const Fixture *r)
 {
-    double *s = rig_state(sim), deep = 0, edge = 0;
+    double *s = fixture_state(sim), deep = 0, edge = 0;
     const int n = sim->p.count;
     for (int k = 0; k < n; k++) {
         Vec x;
@@ -187,9 +187,9 @@ static void test_contiguous(void)
     const double factors[] = {0.6, 1.37, 2.3};
     FOR_METHODS(m) for (int k = 0; k < COUNT(factors); k++)
     {
-        Rig r;
+        Fixture r;
         if (!follows_F(*m)) continue;
-        rig_scene(&r, &stretched, *m, CD, 10, pow(2, DIM));
+        fixture_scene(&r, &stretched, *m, CD, 10, pow(2, DIM));
         for (int d = 0; d < DIM; d++) r.plan.scene.k[d] = factors[k] + 0.05 * d;
         void *core = particle_solver.make(&r.plan.setup, &r.fault);
         CU_ASSERT_PTR_NOT_NULL_FATAL(core);
@@ -197,8 +197,8 @@ static void test_contiguous(void)
         check_nodes(core, &r);
         particle_solver.free(core);
         if (k == 0) continue; /* shrunk to 6 cells: nothing is deep inside */
-        Sim *sim = rig_sim(&r);
-        CU_ASSERT_FATAL(rig_steps(&r, sim, 0, 1));
+        Sim *sim = fixture_sim(&r);
+        CU_ASSERT_FATAL(fixture_steps(&r, sim, 0, 1));
         check_forces(sim, &r);
         sim_free(sim);
     }
@@ -218,11 +218,11 @@ static const Problem falling = {.cfl = 0.3, .init = box_init, .body = fall};
 
 /* x - X = g t^2/2 where velocities live half a step later (cd, uvf, musl); else g dt^2 n (n + 1)/2.
  */
-static void check_fall(const Rig *r, const Sim *sim, int steps)
+static void check_fall(const Fixture *r, const Sim *sim, int steps)
 {
     const Integrator I = r->plan.setup.integrator;
     const double n = steps, n2 = I == USL || I == USF ? n * (n + 1) : n * n;
-    double *s = rig_state(sim);
+    double *s = fixture_state(sim);
     const int count = sim->p.count;
     for (int d = 0; d < DIM; d++)
         for (int k = 0; k < count; k++)
@@ -236,12 +236,12 @@ static void test_fall(void)
     FOR_METHODS(m) FOR_INTEGRATORS(i)
     {
         const int steps = IN_THIS_DIM(40, 40, 16);
-        Rig r;
-        if (!rig_valid(*m, i, true)) continue;
-        rig_scene(&r, &falling, *m, i, IN_THIS_DIM(7, 7, 4), pow(2, DIM));
-        r.plan.setup.refresh = !rig_valid(*m, i, false);
-        Sim *sim = rig_sim(&r);
-        CU_ASSERT_FATAL(rig_steps(&r, sim, 0, steps));
+        Fixture r;
+        if (!fixture_valid(*m, i, true)) continue;
+        fixture_scene(&r, &falling, *m, i, IN_THIS_DIM(7, 7, 4), pow(2, DIM));
+        r.plan.setup.refresh = !fixture_valid(*m, i, false);
+        Sim *sim = fixture_sim(&r);
+        CU_ASSERT_FATAL(fixture_steps(&r, sim, 0, steps));
         check_fall(&r, sim, steps);
         sim_free(sim);
     }
@@ -276,13 +276,13 @@ static void test_light_node(void)
     const double edge[] = {0, 0.5 * 1.1}; /* half a spacing, stretched */
     FOR_METHODS(m) for (int k = 0; k < COUNT(edge); k++)
     {
-        Rig r;
-        rig_scene(&r, &alone, *m, USL, IN_THIS_DIM(8, 8, 4), pow(2, DIM));
+        Fixture r;
+        fixture_scene(&r, &alone, *m, USL, IN_THIS_DIM(8, 8, 4), pow(2, DIM));
         r.plan.scene.k[3] = 1e-15, r.plan.scene.k[4] = edge[k];
-        Sim *sim = rig_sim(&r);
-        const bool moved = rig_steps(&r, sim, 0, 1); /* or it fills no cell */
+        Sim *sim = fixture_sim(&r);
+        const bool moved = fixture_steps(&r, sim, 0, 1); /* or it fills no cell */
         CU_ASSERT(moved || ((*m)->assemble && sim->status.code == SINGULAR));
-        double *s = rig_state(sim);
+        double *s = fixture_state(sim);
         for (int d = 0; d < DIM; d++) CHECK_CLOSE(s[AT_F + d * (DIM + 1)], 1.1, 0.2);
         free(s);
         sim_free(sim);

@@ -12,12 +12,12 @@ enum { COARSE = IN_THIS_DIM(12, 12, 6), RUN_CELLS = IN_THIS_DIM(16, 16, 8) };
 static void check_imposed(const Method *m, const char *set, double per_step)
 {
     enum { STEPS = IN_THIS_DIM(40, 40, 20) }; /* to a stretch of two */
-    Rig r;
-    CU_ASSERT_FATAL(rig_plan(&r, &(Case){DIM, "block", COARSE, 0, 0, set}, m->info.name, CD,
-                             "allow_unstable=1"));
-    Sim *sim = rig_sim(&r);
-    CU_ASSERT_FATAL(rig_steps(&r, sim, 0, STEPS));
-    double *s = rig_state(sim), most = 0;
+    Fixture r;
+    CU_ASSERT_FATAL(fixture_plan(&r, &(Case){DIM, "block", COARSE, 0, 0, set}, m->info.name, CD,
+                                 "allow_unstable=1"));
+    Sim *sim = fixture_sim(&r);
+    CU_ASSERT_FATAL(fixture_steps(&r, sim, 0, STEPS));
+    double *s = fixture_state(sim), most = 0;
     const int n = sim->p.count;
     for (int p = 0; p < n; p++) {
         Mat F;
@@ -46,10 +46,11 @@ static void test_imposed(void)
 /* Mass and momentum of velocities that alternate: each has the same size, their sum is nothing. */
 static void test_ripple(void)
 {
-    Rig r;
-    CU_ASSERT_FATAL(rig_plan(&r, &(Case){DIM, "block", 8, 0, 0, "ripple=0.01"}, "gimp", CD, NULL));
-    Sim *sim = rig_sim(&r);
-    double *s = rig_state(sim), sum = 0;
+    Fixture r;
+    CU_ASSERT_FATAL(
+        fixture_plan(&r, &(Case){DIM, "block", 8, 0, 0, "ripple=0.01"}, "gimp", CD, NULL));
+    Sim *sim = fixture_sim(&r);
+    double *s = fixture_state(sim), sum = 0;
     for (int p = 0; p < sim->p.count; p++) {
         const double v = s[AT_V * sim->p.count + p];
         CHECK_CLOSE(fabs(v), 0.01 * speed, 1e-12);
@@ -66,7 +67,7 @@ static Row run(const char *set, const char *method, const char *integrator, cons
     Row row = row_empty();
     Fault fault = {0};
     RunSpec spec =
-        rig_spec(&(Case){DIM, "block", RUN_CELLS, 0, 0, set}, method, integrator, "steps=30");
+        fixture_spec(&(Case){DIM, "block", RUN_CELLS, 0, 0, set}, method, integrator, "steps=30");
     spec.history = history;
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     return row;
@@ -126,16 +127,17 @@ static void test_history(void)
 static double *on_nodes(const Method *m, double sign, int *n)
 {
     char set[128];
-    Rig r;
+    Fixture r;
     snprintf(set, sizeof set, "stretch=2;offset_x=%g;drift_x=%g;allow_unstable=1", 0.25 * sign,
              0.05 * sign);
-    CU_ASSERT_FATAL(rig_plan(&r, &(Case){DIM, "block", IN_THIS_DIM(8, 8, 4), pow(4, DIM), 0.1, set},
-                             m->info.name, CD, NULL));
-    Sim *sim = rig_sim(&r);
+    CU_ASSERT_FATAL(fixture_plan(&r,
+                                 &(Case){DIM, "block", IN_THIS_DIM(8, 8, 4), pow(4, DIM), 0.1, set},
+                                 m->info.name, CD, NULL));
+    Sim *sim = fixture_sim(&r);
     *n = sim->p.count;
-    CU_ASSERT(rig_steps(&r, sim, 0, 10) ||
+    CU_ASSERT(fixture_steps(&r, sim, 0, 10) ||
               m->surface); /* cut cells may invert under such a shock */
-    double *s = rig_state(sim);
+    double *s = fixture_state(sim);
     sim_free(sim);
     return s;
 }
@@ -184,9 +186,9 @@ static void test_wall_order(void)
         double *s[2];
         Sim *sim = NULL;
         for (int k = 0; k < 2; k++) {
-            Rig r;
+            Fixture r;
             CU_ASSERT_FATAL(
-                rig_plan(&r, &walled[DIM - 1], (*m)->info.name, CD, "allow_unstable=1"));
+                fixture_plan(&r, &walled[DIM - 1], (*m)->info.name, CD, "allow_unstable=1"));
             Scene *scene = &r.plan.scene;
             for (int i = 0; k && i < scene->nwall / 2; i++) {
                 const Wall w = scene->wall[i];
@@ -195,9 +197,9 @@ static void test_wall_order(void)
             }
             CU_ASSERT(scene->nwall >= 2);
             sim_free(sim);
-            sim = rig_sim(&r);
-            CU_ASSERT(rig_steps(&r, sim, 0, 20));
-            s[k] = rig_state(sim);
+            sim = fixture_sim(&r);
+            CU_ASSERT(fixture_steps(&r, sim, 0, 20));
+            s[k] = fixture_state(sim);
         }
         CU_ASSERT(memcmp(s[0], s[1], sizeof(double) * FIELDS * (size_t)sim->p.count) == 0);
         sim_free(sim);
@@ -218,11 +220,11 @@ static void test_patch(void)
                   {"grading=2", 100, 50}};
     if (DIM != 2) return;
     for (int k = 0; k < COUNT(bodies); k++) { /* h = 1/16: a side is ten cells */
-        Rig r;
+        Fixture r;
         CU_ASSERT_FATAL(
-            rig_plan(&r, &(Case){2, "patch", 16, 64, 0, bodies[k].set}, "gimp", CD, NULL));
-        Sim *sim = rig_sim(&r);
-        double *s = rig_state(sim), area = 0, left = 0;
+            fixture_plan(&r, &(Case){2, "patch", 16, 64, 0, bodies[k].set}, "gimp", CD, NULL));
+        Sim *sim = fixture_sim(&r);
+        double *s = fixture_state(sim), area = 0, left = 0;
         for (int p = 0; p < sim->p.count; p++) area += s[AT_VOL * sim->p.count + p] * 16 * 16;
         for (int p = 0; p < sim->p.count; p++)
             if (s[AT_X0 * sim->p.count + p] < (3.3 + 5) / 16)
@@ -236,7 +238,7 @@ static void test_patch(void)
     {
         Row row = row_empty();
         const Case c = {2, "patch", 16, 4, 0, "jitter=0.4;grading=1.5;edges=1"};
-        RunSpec spec = rig_spec(&c, (*m)->info.name, NULL, NULL);
+        RunSpec spec = fixture_spec(&c, (*m)->info.name, NULL, NULL);
         CU_ASSERT_FATAL(run_spec(&spec, &row, NULL) == 0);
         CU_ASSERT(row.error_linf < 1e-12 || !(*m)->linear_exact);
         CU_ASSERT(row.error_linf > 1e-12 || (*m)->linear_exact ||

@@ -21,24 +21,24 @@ enum { MOVES = IN_THIS_DIM(20, 20, 10) };
 /* To round-off where nodes are sums over particles. WLS's are integrals: the body gains dt sum_i
  * (M_i - m_i) a_i (wls.h), at most 4.4e-6, 5.5e-5 and 3.5e-4 of sum m |v| here (h = 1/200,
  * 1/20, 1/5); a third more is allowed. */
-static void check_momentum(Rig *r)
+static void check_momentum(Fixture *r)
 {
     Vec before, after;
     const double share =
         r->plan.setup.method->assemble ? IN_THIS_DIM(5.8e-6, 7.3e-5, 4.7e-4) : 1e-12;
-    Sim *sim = rig_sim(r);
+    Sim *sim = fixture_sim(r);
     const int n = sim->p.count;
-    double *start = rig_state(sim);
+    double *start = fixture_state(sim);
     int steps = 0;
-    while (steps < MOVES && rig_steps(r, sim, steps, steps + 1)) steps++;
+    while (steps < MOVES && fixture_steps(r, sim, steps, steps + 1)) steps++;
     const Method *m = r->plan.setup.method; /* GE-MPM, tents that keep L, may be lost; in 3D all
                                                tents: corner masses eps^3 (H-5) */
     CU_ASSERT(steps == MOVES ||
               (steps >= IN_THIS_DIM(5, 5, 2) && (m->keeps_L || DIM > 2) && !m->smooth));
-    double *end = rig_state(sim), size = momentum_of(start, n, before);
+    double *end = fixture_state(sim), size = momentum_of(start, n, before);
     momentum_of(end, n, after);
     for (int d = 0; d < DIM; d++) CHECK_CLOSE(after[d], before[d], share * size);
-    CU_ASSERT(rig_distance(start, end, n, false) > 1e-3); /* it has moved */
+    CU_ASSERT(fixture_distance(start, end, n, false) > 1e-3); /* it has moved */
     for (int k = 0; k < n; k++) CU_ASSERT(start[AT_M * n + k] == end[AT_M * n + k]);
     free(start), free(end), sim_free(sim);
 }
@@ -52,7 +52,7 @@ static void test_momentum(void)
 /* The nodes carry the block's mass, rho times its volume, after any step. WLS integrates a fitted
  * density (off by 3e-6 in 1D, 4e-4) over cells cut straight: each of four corners, in 3D of twelve
  * edges, may lose half of one. */
-static void check_mass(Rig *r)
+static void check_mass(Fixture *r)
 {
     Nodes nodes;
     const double h = r->plan.scene.cell,
@@ -97,24 +97,24 @@ static void mirror_fields(double *const field[FIELDS], int n, int axis, double w
 
 /* Sums run backwards: round-off alone, a few ulp a step. The scale of L is that of its terms, v/h,
  * of moments v h. */
-static void check_mirror(Rig *r)
+static void check_mirror(Fixture *r)
 {
     const double width = r->plan.scene.hi[0];
     const Method *method = r->plan.setup.method;
     for (int axis = 0; axis < DIM; axis++) {
-        Sim *plain = rig_sim(r), *turned = rig_sim(r);
+        Sim *plain = fixture_sim(r), *turned = fixture_sim(r);
         const int n = plain->p.count;
         double *field[FIELDS];
         mirror_fields(turned->p.field, n, axis, width);
         sim_start_own(turned);
-        CU_ASSERT_FATAL(rig_steps(r, plain, 0, moves) && rig_steps(r, turned, 0, moves));
-        double *a = rig_state(plain), *b = rig_state(turned);
+        CU_ASSERT_FATAL(fixture_steps(r, plain, 0, moves) && fixture_steps(r, turned, 0, moves));
+        double *a = fixture_state(plain), *b = fixture_state(turned);
         for (int f = 0; f < FIELDS; f++) field[f] = b + f * n;
         mirror_fields(field, n, axis, width);
-        CU_ASSERT(rig_distance(a, b, n, false) < 1e-14);
-        const double size_v = rig_size(a, n, AT_V, DIM), h = r->plan.scene.cell;
+        CU_ASSERT(fixture_distance(a, b, n, false) < 1e-14);
+        const double size_v = fixture_size(a, n, AT_V, DIM), h = r->plan.scene.cell;
         if (method->keeps_L)
-            CU_ASSERT(rig_gap(a, b, n, AT_L, NMAT) <
+            CU_ASSERT(fixture_gap(a, b, n, AT_L, NMAT) <
                       1e-14 * (method->moments ? size_v * h : size_v / h));
         free(a), free(b);
         sim_free(plain), sim_free(turned);
@@ -123,7 +123,7 @@ static void check_mirror(Rig *r)
 
 /* One step, from the nodes: just beside them, the small mass of the next node makes a thousand ulps
  * of one. (WLS returns through the cell above a node; of GIMP's boxes some end on nodes.) */
-static void check_tent_mirror(Rig *r)
+static void check_tent_mirror(Fixture *r)
 {
     if (r->plan.setup.method->smooth || r->plan.setup.method->assemble) return;
     moves = 1, check_mirror(r), moves = 5;
@@ -137,22 +137,22 @@ static void test_mirror(void)
 
 /* ---- threads */
 
-static double *run_threads(Rig *r, int threads)
+static double *run_threads(Fixture *r, int threads)
 {
     r->plan.setup.threads = threads;
-    Sim *sim = rig_sim(r);
-    CU_ASSERT(rig_steps(r, sim, 0, FEW) || (DIM > 2 && !r->plan.setup.method->smooth));
+    Sim *sim = fixture_sim(r);
+    CU_ASSERT(fixture_steps(r, sim, 0, FEW) || (DIM > 2 && !r->plan.setup.method->smooth));
     CU_ASSERT(sim->nblock >= 3);
-    double *state = rig_state(sim);
+    double *state = fixture_state(sim);
     sim_free(sim);
     return state;
 }
 
-static void check_threads(Rig *r)
+static void check_threads(Fixture *r)
 {
     double *one = run_threads(r, 1);
     const size_t bytes = sizeof(double) * FIELDS;
-    Sim *sim = rig_sim(r);
+    Sim *sim = fixture_sim(r);
     for (int threads = 2; threads <= 4; threads++) {
         if (threads != 3 && (DIM > 2 || r->plan.setup.integrator != CD)) continue; /* for time */
         double *many = run_threads(r, threads);
@@ -171,21 +171,21 @@ static void test_threads(void)
 
 /* ---- empty space: twice the box, the same block (on the same lines of the grid) */
 
-static void check_empty_space(Rig *r)
+static void check_empty_space(Fixture *r)
 {
-    Rig wide = {.spec = r->spec, .dt = r->dt};
+    Fixture wide = {.spec = r->spec, .dt = r->dt};
     CU_ASSERT_FATAL(spec_set(&wide.spec, "box=3", NULL) == 0);
     CU_ASSERT_FATAL(plan_make(&wide.spec, &wide.plan, &wide.fault) == 0);
     const double moved = 0.5 * (wide.plan.scene.hi[0] - r->plan.scene.hi[0]);
-    Sim *small = rig_sim(r), *large = rig_sim(&wide);
+    Sim *small = fixture_sim(r), *large = fixture_sim(&wide);
     const int n = small->p.count;
     CU_ASSERT_FATAL(large->p.count == n);
-    CU_ASSERT_FATAL(rig_steps(r, small, 0, 10) && rig_steps(&wide, large, 0, 10));
-    double *a = rig_state(small), *b = rig_state(large);
+    CU_ASSERT_FATAL(fixture_steps(r, small, 0, 10) && fixture_steps(&wide, large, 0, 10));
+    double *a = fixture_state(small), *b = fixture_state(large);
     for (int k = 0; k < DIM * n; k++) b[AT_X * n + k] -= moved;
     /* positions round off differently; one particle per cell in space makes ill-conditioned planes
      */
-    CU_ASSERT(rig_distance(a, b, n, false) < (r->plan.setup.method->integrate ? 1e-10 : 1e-12));
+    CU_ASSERT(fixture_distance(a, b, n, false) < (r->plan.setup.method->integrate ? 1e-10 : 1e-12));
     CU_ASSERT(small->nodes == large->nodes);
     free(a), free(b), sim_free(small), sim_free(large);
 }

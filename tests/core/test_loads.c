@@ -32,7 +32,7 @@ static Load load_at(const Scene *s, double t)
 static void test_cantilever(void)
 {
     const double par[] = {1e4, 0.3, 0.01, 0}, tau = 0.01 * 1e4;
-    const Scene s = rig_bare_scene(&problem_cantilever, par, 1.0 / 16);
+    const Scene s = fixture_bare_scene(&problem_cantilever, par, 1.0 / 16);
     for (int k = 1; k <= 4; k++) {
         const double part = k < 4 ? k / 3.0 : 1;
         const Load load = load_at(&s, k / 3.0 * s.t_end);
@@ -49,7 +49,7 @@ static void test_cantilever(void)
 static void test_hanging_bar(void)
 {
     const double par[] = {1e6, 0.3, 1050, 1000};
-    const Scene s = rig_bare_scene(&problem_hanging_bar, par, 1.0 / 16);
+    const Scene s = fixture_bare_scene(&problem_hanging_bar, par, 1.0 / 16);
     for (int k = 0; k < 2; k++) {
         const Load load = load_at(&s, k * s.t_end);
         CHECK_CLOSE(load.force[0], 0, 0);

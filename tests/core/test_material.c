@@ -17,9 +17,9 @@ static void test_log(void)
 {
     double worst = 0;
     for (int k = 0; k < NUMBERS; k++) {
-        worst = fmax(worst, ulps(exp2(rig_random(-1020, 1020))));
-        worst = fmax(worst, ulps(1 + rig_random(-1, 1) * exp2(-rig_random(1, 52))));
-        worst = fmax(worst, ulps(rig_random(0.7, 0.72)));
+        worst = fmax(worst, ulps(exp2(fixture_random(-1020, 1020))));
+        worst = fmax(worst, ulps(1 + fixture_random(-1, 1) * exp2(-fixture_random(1, 52))));
+        worst = fmax(worst, ulps(fixture_random(0.7, 0.72)));
     }
     CU_ASSERT(worst <= 1.5);
     CU_ASSERT(log_one(1) == 0);
@@ -29,7 +29,7 @@ static void test_log(void)
 static void test_log_n(void)
 {
     double x[CHUNK + 3], y[CHUNK + 3];
-    for (int k = 0; k < COUNT(x); k++) x[k] = rig_random(0.1, 3);
+    for (int k = 0; k < COUNT(x); k++) x[k] = fixture_random(0.1, 3);
     log_n(COUNT(x), x, y);
     for (int k = 0; k < COUNT(x); k++) CHECK_CLOSE(y[k], log(x[k]), 1e-15);
 }
@@ -64,7 +64,7 @@ static void deformations(Field F[NMAT], const double *f[NMAT])
 {
     for (int k = 0; k < NMAT; k++) {
         f[k] = F[k];
-        for (int p = 0; p < CHUNK; p++) F[k][p] = (k % (DIM + 1) == 0) + rig_random(-0.2, 0.2);
+        for (int p = 0; p < CHUNK; p++) F[k][p] = (k % (DIM + 1) == 0) + fixture_random(-0.2, 0.2);
     }
 }
 
@@ -152,7 +152,7 @@ static void test_without_tension(void)
     for (int trial = 0; trial < 40; trial++) {
         Mat F, T, none;
         for (int k = 0; k < NMAT; k++)
-            F[k] = (k % (DIM + 1) == 0 ? 1 : 0) + rig_random(-0.25, 0.25);
+            F[k] = (k % (DIM + 1) == 0 ? 1 : 0) + fixture_random(-0.25, 0.25);
         material_without_tension(&m, F, T);
         CU_ASSERT(material_largest_stress(T) < 1e-10 * m.E);
         for (int k = 0; k < NMAT; k++) { /* dpsi = T : L, of F + eps L F, L along k */

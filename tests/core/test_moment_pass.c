@@ -35,10 +35,10 @@ static void deposit_moments(Grid *g, const Work *w, const int width)
 static void test_moments(void)
 {
     const Case block = {.problem = "free_block", .cells = 16};
-    Rig rig;
+    Fixture fixture;
     static Work w;
-    CU_ASSERT_FATAL(rig_plan(&rig, &block, "bspline", CD, NULL));
-    Sim *sim = rig_sim(&rig);
+    CU_ASSERT_FATAL(fixture_plan(&fixture, &block, "bspline", CD, NULL));
+    Sim *sim = fixture_sim(&fixture);
     sim_sort(sim);
     Grid *g = &sim->g;
     deposit_all(sim, 0, MOTION); /* clears the live spans and sets masses, taken off again */

@@ -17,14 +17,14 @@ enum { WLS = 2, TENTS = COUNT(tents), CELLS = IN_THIS_DIM(8, 8, 4) };
 static double *block_state(double cells, const char *method, Integrator i, const char *set,
                            int steps, int *n)
 {
-    Rig r;
+    Fixture r;
     const bool one = set[0] == '1', wls = strstr(method, "wls");
     const Case c = {DIM, "block", cells, one ? 1 : 0, 0.3, set + one};
-    CU_ASSERT_FATAL(
-        rig_plan(&r, &c, method, i, wls ? "allow_unstable=1;return=linear" : "allow_unstable=1"));
-    Sim *sim = rig_sim(&r);
-    CU_ASSERT(rig_steps(&r, sim, 0, steps));
-    double *s = rig_state(sim);
+    CU_ASSERT_FATAL(fixture_plan(&r, &c, method, i,
+                                 wls ? "allow_unstable=1;return=linear" : "allow_unstable=1"));
+    Sim *sim = fixture_sim(&r);
+    CU_ASSERT(fixture_steps(&r, sim, 0, steps));
+    double *s = fixture_state(sim);
     *n = sim->p.count;
     sim_free(sim);
     return s;
@@ -66,7 +66,7 @@ static void test_drift_row(void)
     Row row = row_empty();
     Fault fault = {0};
     const Case c = {DIM, "block", 16, 0, 0, "drift_x=0.5"};
-    const RunSpec spec = rig_spec(&c, "mpm", "cd", NULL);
+    const RunSpec spec = fixture_spec(&c, "mpm", "cd", NULL);
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     CHECK_TEXT(row.status, "ok");
     CU_ASSERT(row.error_linf < 1e-13);

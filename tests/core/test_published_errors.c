@@ -44,7 +44,7 @@ static void test_spots(void)
     for (int k = 0; k < COUNT(spots); k++) {
         Row row;
         Fault fault;
-        const RunSpec spec = rig_spec(&spots[k].scene, spots[k].method, NULL, NULL);
+        const RunSpec spec = fixture_spec(&spots[k].scene, spots[k].method, NULL, NULL);
         if (spots[k].scene.dim != DIM) continue;
         CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
         CHECK_TEXT(row.status, "ok");
@@ -56,7 +56,7 @@ static double run(const Case *c, const Method *m, const char *more)
 {
     Row row = row_empty();
     Fault fault;
-    const RunSpec spec = rig_spec(c, m->info.name, NULL, more);
+    const RunSpec spec = fixture_spec(c, m->info.name, NULL, more);
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
     return row.error_linf;
 }

@@ -24,9 +24,9 @@ static void test_times(void)
     const double parts[] = {0.4, 1, 3, 6.5, 7, 19.999};
     for (int k = 0; k < COUNT(parts); k++) {
         const Case c = any_case(10, 0, 0.25);
-        Rig r;
-        CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", CD, NULL));
-        RunSpec spec = rig_spec(&c, "gimp", NULL, NULL);
+        Fixture r;
+        CU_ASSERT_FATAL(fixture_plan(&r, &c, "gimp", CD, NULL));
+        RunSpec spec = fixture_spec(&c, "gimp", NULL, NULL);
         spec.t_end = parts[k] * 0.25 * 0.1 / r.plan.scene.c;
         const Row row = run(&spec);
         CU_ASSERT(row.steps == ceil(parts[k] - 1e-9));
@@ -39,7 +39,7 @@ static void test_times(void)
 static void test_steps(void)
 {
     const Case c = any_case(10, 0, 0.25);
-    RunSpec spec = rig_spec(&c, "gimp", NULL, NULL);
+    RunSpec spec = fixture_spec(&c, "gimp", NULL, NULL);
     spec.t_end = 0.01;
     const Row full = run(&spec);
     CU_ASSERT(spec_set(&spec, "steps=3", NULL) == 0);
@@ -54,7 +54,7 @@ static void test_ppc(void)
     for (int k = 0; k < COUNT(ppc1); k++) {
         const double ppc = DIM == 1 ? ppc1[k] : pow(k + 1, DIM);
         const Case c = any_case(cells, ppc, 0);
-        const RunSpec spec = rig_spec(&c, "gimp", NULL, "steps=1");
+        const RunSpec spec = fixture_spec(&c, "gimp", NULL, "steps=1");
         const Row row = run(&spec);
         CU_ASSERT(row.particles == round(ppc * pow(cells, DIM)));
         CHECK_CLOSE(row.ppc, DIM == 1 ? round(ppc * 16) / 16 : ppc, 1e-12);
@@ -65,8 +65,8 @@ static void test_ppc(void)
 static void check_refused(const Case *c, const char *method, Integrator i, const char *more,
                           const char *const words[])
 {
-    Rig r;
-    CU_ASSERT_FATAL(!rig_plan(&r, c, method, i, more));
+    Fixture r;
+    CU_ASSERT_FATAL(!fixture_plan(&r, c, method, i, more));
     CU_ASSERT(r.fault.code == FAULT_USAGE);
     CU_ASSERT_PTR_NULL(strchr(r.fault.text, '\n'));
     for (; *words; words++) CU_ASSERT_PTR_NOT_NULL(strstr(r.fault.text, *words));
@@ -75,10 +75,10 @@ static void check_refused(const Case *c, const char *method, Integrator i, const
 static void test_counts_refused(void)
 {
     const Case both = any_case(16, 4, 0), none = any_case(16, 0, 0), odd = any_case(16, 3, 0);
-    Rig r;
+    Fixture r;
     check_refused(&both, "gimp", CD, "particles=20", (const char *[]){"particles", NULL});
     if (DIM == 1) {
-        CU_ASSERT_FATAL(rig_plan(&r, &none, "gimp", CD, "particles=20"));
+        CU_ASSERT_FATAL(fixture_plan(&r, &none, "gimp", CD, "particles=20"));
         CHECK_CLOSE(r.spec.ppc, 20.0 / 16, 1e-14);
         check_refused(&none, "gimp", CD, "particles=2.5",
                       (const char *[]){"particles", "2.5", NULL});
@@ -102,11 +102,11 @@ static void check_pair(const char *method, Integrator i, int wanted)
     const Case c = any_case(10, 0, 0);
     const char *const words[] = {method, step_integrators[i].name, "allow_unstable=1",
                                  wanted == 2 ? "refresh=1" : NULL, NULL};
-    Rig r;
-    if (wanted == 1) CU_ASSERT(rig_plan(&r, &c, method, i, NULL));
+    Fixture r;
+    if (wanted == 1) CU_ASSERT(fixture_plan(&r, &c, method, i, NULL));
     if (wanted != 1) check_refused(&c, method, i, NULL, words);
-    CU_ASSERT(rig_plan(&r, &c, method, i, "refresh=1") == (wanted > 0));
-    CU_ASSERT(rig_plan(&r, &c, method, i, "allow_unstable=1"));
+    CU_ASSERT(fixture_plan(&r, &c, method, i, "refresh=1") == (wanted > 0));
+    CU_ASSERT(fixture_plan(&r, &c, method, i, "allow_unstable=1"));
 }
 
 static void test_pairs(void)
@@ -122,14 +122,14 @@ static void test_defaults(void)
     FOR_METHODS(m)
     {
         const Case c = any_case(10, 0, 0);
-        RunSpec spec = rig_spec(&c, (*m)->info.name, NULL, NULL);
+        RunSpec spec = fixture_spec(&c, (*m)->info.name, NULL, NULL);
         Plan plan;
         CU_ASSERT_FATAL(plan_make(&spec, &plan, NULL) == 0);
         const bool tents = DIM > 1 && strcmp((*m)->info.name, "mpm") == 0;
         CHECK_TEXT(spec.integrator, tents ? "uvf" : "cd");
     }
     const Case c = any_case(10, 0, 0);
-    RunSpec spec = rig_spec(&c, NULL, NULL, NULL);
+    RunSpec spec = fixture_spec(&c, NULL, NULL, NULL);
     Plan plan;
     CU_ASSERT_FATAL(plan_make(&spec, &plan, NULL) == 0);
     CHECK_TEXT(spec.method, "gimp");

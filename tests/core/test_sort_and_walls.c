@@ -42,13 +42,13 @@ static void check_sorted(const Sim *sim, const int before[])
 
 static void test_sort(void)
 {
-    Rig r;
-    CU_ASSERT_FATAL(rig_plan(&r, &moving[DIM - 1], "gimp", CD, NULL));
-    Sim *sim = rig_sim(&r);
+    Fixture r;
+    CU_ASSERT_FATAL(fixture_plan(&r, &moving[DIM - 1], "gimp", CD, NULL));
+    Sim *sim = fixture_sim(&r);
     int *before = calloc((size_t)sim->p.count, sizeof *before);
     CU_ASSERT_PTR_NOT_NULL_FATAL(before);
     for (int k = 0; k < 10; k++) {
-        CU_ASSERT_FATAL(rig_steps(&r, sim, 10 * k, 10 * k + 10));
+        CU_ASSERT_FATAL(fixture_steps(&r, sim, 10 * k, 10 * k + 10));
         for (int s = 0; s < sim->p.n; s++)
             if (sim->p.id[s] >= 0) before[sim->p.id[s]] = s;
         sim_sort(sim);
@@ -100,18 +100,18 @@ static void test_blocks(void)
 {
     FOR_METHODS(m) for (int ppc = 1; ppc <= 2; ppc++)
     {
-        Rig r;
+        Fixture r;
         Case c = moving[DIM - 1];
         /* alone in the middle of a cell in 3D a particle has the weight 1/8: below the trigger */
         if (DIM > 2 && ppc == 1 && (*m)->assemble) continue;
         if ((*m)->list) continue; /* no stencil of one axis */
         c.ppc = pow(ppc, DIM);    /* 1: half widths beyond h/2 */
-        CU_ASSERT_FATAL(rig_plan(&r, &c, (*m)->info.name, USL, "allow_unstable=1"));
-        Sim *sim = rig_sim(&r);
+        CU_ASSERT_FATAL(fixture_plan(&r, &c, (*m)->info.name, USL, "allow_unstable=1"));
+        Sim *sim = fixture_sim(&r);
         sim_sort(sim);
         for (int k = 0; k < 20; k++) {
             check_blocks(sim);
-            CU_ASSERT_FATAL(rig_steps(&r, sim, k, k + 1));
+            CU_ASSERT_FATAL(fixture_steps(&r, sim, k, k + 1));
             CU_ASSERT(sim_is_valid(sim));
         }
         sim_free(sim);
@@ -146,7 +146,7 @@ static int check_wall(const Wall *w, bool images, const Nodes *n, double fastest
     return touched;
 }
 
-static void check_walls(Rig *r)
+static void check_walls(Fixture *r)
 {
     Nodes nodes;
     Method own = *r->plan.setup.method;
@@ -171,9 +171,9 @@ static void test_walls(void)
 {
     for (int k = 0; k < COUNT(walled); k++) FOR_METHODS(m)
         {
-            Rig r;
+            Fixture r;
             if (walled[k].dim != DIM) continue;
-            CU_ASSERT_FATAL(rig_plan(&r, &walled[k], (*m)->info.name, USF, "allow_unstable=1"));
+            CU_ASSERT_FATAL(fixture_plan(&r, &walled[k], (*m)->info.name, USF, "allow_unstable=1"));
             check_walls(&r);
         }
 }

@@ -71,12 +71,12 @@ static double *twin_state(const Twin *w)
 }
 
 /* Steps both; returns how often the particles were sorted again on the way. */
-static int step_both(const Rig *r, Sim *sim, Twin *w, int steps)
+static int step_both(const Fixture *r, Sim *sim, Twin *w, int steps)
 {
     int sorts = 0;
     for (int k = 0; k < steps; k++) {
         const double *const order = sim->p.field[AT_X]; /* a sort moves fields */
-        const bool ok = rig_steps(r, sim, k, k + 1);
+        const bool ok = fixture_steps(r, sim, k, k + 1);
         CU_ASSERT(ok);
         if (!ok) break;
         CU_ASSERT(sim_is_valid(sim));
@@ -86,21 +86,21 @@ static int step_both(const Rig *r, Sim *sim, Twin *w, int steps)
     return sorts;
 }
 
-static void compare(Rig *r, int steps, int least_sorts)
+static void compare(Fixture *r, int steps, int least_sorts)
 {
     const bool L = r->plan.setup.method->keeps_L;
     Twin *w = twin_new(&r->plan.setup);
     if (!w) return; /* a method that the twin does not know */
-    Sim *sim = rig_sim(r);
+    Sim *sim = fixture_sim(r);
     CU_ASSERT_FATAL(sim->p.count == w->n);
     const int sorts = step_both(r, sim, w, steps);
     CU_ASSERT(sorts >= least_sorts && 3 * sorts < steps); /* often enough, and not for nothing */
     CU_ASSERT(sorts == 0 || !sim->total);
-    double *fast = rig_state(sim), *slow = twin_state(w);
-    CU_ASSERT(rig_distance(slow, fast, w->n, false) < same);
-    const double size_v = rig_size(slow, w->n, AT_V, DIM), h = w->h;
+    double *fast = fixture_state(sim), *slow = twin_state(w);
+    CU_ASSERT(fixture_distance(slow, fast, w->n, false) < same);
+    const double size_v = fixture_size(slow, w->n, AT_V, DIM), h = w->h;
     const double size_L = w->method.moments ? size_v * h : size_v / h;
-    if (L) CU_ASSERT(rig_gap(slow, fast, w->n, AT_L, NMAT) < same * size_L);
+    if (L) CU_ASSERT(fixture_gap(slow, fast, w->n, AT_L, NMAT) < same * size_L);
     free(fast), free(slow);
     twin_free(w);
     sim_free(sim);
@@ -111,10 +111,10 @@ static void test_pairs(void)
     for (int k = 0; k < COUNT(short_scenes); k++)
         FOR_METHODS(m) FOR_INTEGRATORS(i) for (int fresh = 0; fresh < 2; fresh++)
         {
-            Rig r;
+            Fixture r;
             const char *more = fresh ? "allow_unstable=1;refresh=1" : "allow_unstable=1";
             if (short_scenes[k].dim != DIM || (fresh && i != UVF && i != MUSL)) continue;
-            CU_ASSERT_FATAL(rig_plan(&r, &short_scenes[k], (*m)->info.name, i, more));
+            CU_ASSERT_FATAL(fixture_plan(&r, &short_scenes[k], (*m)->info.name, i, more));
             compare(&r, (*m)->modes ? 5 : 20, 0); /* light nodes amplify round-off */
         }
 }
@@ -130,10 +130,10 @@ static void test_on_nodes(void)
     for (int k = 0; k < COUNT(node_scenes); k++)
         FOR_METHODS(m) FOR_INTEGRATORS(i) for (int fresh = 0; fresh < 2; fresh++)
         {
-            Rig r;
+            Fixture r;
             const char *more = fresh ? "allow_unstable=1;refresh=1" : "allow_unstable=1";
             if (node_scenes[k].dim != DIM || !has_slopes_on_nodes(*m)) continue;
-            CU_ASSERT_FATAL(rig_plan(&r, &node_scenes[k], (*m)->info.name, i, more));
+            CU_ASSERT_FATAL(fixture_plan(&r, &node_scenes[k], (*m)->info.name, i, more));
             compare(&r, (*m)->keeps_L ? 4 : 6, 0); /* GE-MPM amplifies round-off, 6 times a step */
         }
 }
@@ -189,11 +189,11 @@ static void test_corner(void)
     for (int n = 1; n <= 2; n++)
         for (int k = 0; k < VARIANTS; k++) FOR_METHODS(m) FOR_INTEGRATORS(i)
             {
-                Rig r;
+                Fixture r;
                 if (DIM > 2 && i > UVF) continue; /* one pass and two, for time */
                 if (DIM > 2 && n > 1 && (i != CD || k > 0)) continue;
-                rig_scene(&r, &corner, *m, i, CORNER_CELLS, pow(n, DIM));
-                if (rig_vary(&r, k)) compare(&r, CORNER_STEPS, 0);
+                fixture_scene(&r, &corner, *m, i, CORNER_CELLS, pow(n, DIM));
+                if (fixture_vary(&r, k)) compare(&r, CORNER_STEPS, 0);
             }
 }
 
@@ -202,9 +202,9 @@ static void test_corner_total(void)
 {
     FOR_METHODS(m) FOR_INTEGRATORS(i)
     {
-        Rig r;
+        Fixture r;
         if ((*m)->assemble || (*m)->integrate || (DIM > 2 && i > UVF)) continue;
-        rig_scene(&r, &corner, *m, i, CORNER_CELLS, DIM > 2 ? 1 : pow(2, DIM));
+        fixture_scene(&r, &corner, *m, i, CORNER_CELLS, DIM > 2 ? 1 : pow(2, DIM));
         r.plan.setup.frame = FRAME_TOTAL;
         compare(&r, CORNER_STEPS, 0);
     }
@@ -216,10 +216,10 @@ static void test_corner_on_nodes(void)
     for (int n = 1; n <= 2; n++)
         for (int side = -1; side <= 1; side += 2) FOR_METHODS(m) FOR_INTEGRATORS(i)
             {
-                Rig r;
+                Fixture r;
                 if (!has_slopes_on_nodes(*m) || (DIM > 2 && i > (n > 1 ? CD : UVF))) continue;
                 corner_shift = side * 0.5 / n / CORNER_CELLS;
-                rig_scene(&r, &corner, *m, i, CORNER_CELLS, pow(n, DIM));
+                fixture_scene(&r, &corner, *m, i, CORNER_CELLS, pow(n, DIM));
                 compare(&r, 20, 0);
                 compared++;
             }
@@ -234,12 +234,12 @@ static void test_long(void)
 {
     for (int k = 0; k < COUNT(long_scenes); k++) FOR_METHODS(m) FOR_INTEGRATORS(i)
         {
-            Rig r;
-            const bool fresh = !rig_valid(*m, i, false);
-            if (long_scenes[k].dim != DIM || !(*m)->smooth || !rig_valid(*m, i, true)) continue;
+            Fixture r;
+            const bool fresh = !fixture_valid(*m, i, false);
+            if (long_scenes[k].dim != DIM || !(*m)->smooth || !fixture_valid(*m, i, true)) continue;
             if ((*m)->modes) continue; /* light nodes amplify round-off */
             CU_ASSERT_FATAL(
-                rig_plan(&r, &long_scenes[k], (*m)->info.name, i, fresh ? "refresh=1" : NULL));
+                fixture_plan(&r, &long_scenes[k], (*m)->info.name, i, fresh ? "refresh=1" : NULL));
             compare(&r, i > UVF ? 100 : 300, i > UVF ? 3 : 10);
         }
 }
@@ -249,11 +249,11 @@ static void test_scenes(void)
 {
     int wide = 0, narrow = 0, chunks = 0;
     for (int k = 0; k < COUNT(short_scenes); k++) {
-        Rig r;
+        Fixture r;
         if (short_scenes[k].dim != DIM) continue;
-        CU_ASSERT_FATAL(rig_plan(&r, &short_scenes[k], "gimp", CD, NULL));
-        Sim *sim = rig_sim(&r);
-        CU_ASSERT(rig_steps(&r, sim, 0, 20));
+        CU_ASSERT_FATAL(fixture_plan(&r, &short_scenes[k], "gimp", CD, NULL));
+        Sim *sim = fixture_sim(&r);
+        CU_ASSERT(fixture_steps(&r, sim, 0, 20));
         wide += sim->half_now > 0.5;
         narrow += sim->half_now < 0.5;
         chunks += sim->nblock > 1;

@@ -8,13 +8,14 @@
 static double *positions_at(const Case *c, const Method *m, Integrator i, double T, int steps,
                             int *count)
 {
-    Rig r;
-    const bool fresh = !rig_valid(m, i, false);
-    CU_ASSERT_FATAL(rig_plan(&r, c, m->info.name, i, fresh ? "refresh=1;allow_unstable=1" : NULL));
-    Sim *sim = rig_sim(&r);
+    Fixture r;
+    const bool fresh = !fixture_valid(m, i, false);
+    CU_ASSERT_FATAL(
+        fixture_plan(&r, c, m->info.name, i, fresh ? "refresh=1;allow_unstable=1" : NULL));
+    Sim *sim = fixture_sim(&r);
     r.dt = T / steps;
-    CU_ASSERT_FATAL(rig_steps(&r, sim, 0, steps));
-    double *s = rig_state(sim);
+    CU_ASSERT_FATAL(fixture_steps(&r, sim, 0, steps));
+    double *s = fixture_state(sim);
     *count = sim->p.count;
     sim_free(sim);
     return s;
@@ -26,8 +27,8 @@ static double fall_with_dt(const Case *c, const Method *m, Integrator i, double 
     double *s[3];
     int n = 0;
     for (int k = 0; k < 3; k++) s[k] = positions_at(c, m, i, T, steps << k, &n);
-    const double coarse = rig_gap(s[0], s[1], n, AT_X, DIM),
-                 fine = rig_gap(s[1], s[2], n, AT_X, DIM);
+    const double coarse = fixture_gap(s[0], s[1], n, AT_X, DIM),
+                 fine = fixture_gap(s[1], s[2], n, AT_X, DIM);
     for (int k = 0; k < 3; k++) free(s[k]);
     CU_ASSERT(fine > 1e-11); /* above round-off */
     return coarse / fine;
@@ -43,7 +44,7 @@ static void test_time_order_1d(void)
     if (DIM != 1) return;
     FOR_METHODS(m) FOR_INTEGRATORS(i)
     {
-        if (!(*m)->smooth || rig_pic(*m) > 0) continue; /* a PIC update damps once a step */
+        if (!(*m)->smooth || fixture_pic(*m) > 0) continue; /* a PIC update damps once a step */
         if (i == MUSL && strncmp((*m)->info.name, "bspline", 7) == 0)
             continue; /* P S of splines is farther from 1 */
         const double fall = fall_with_dt(&c, *m, i, 0.002, 40);
@@ -58,7 +59,7 @@ static void test_time_order_2d(void)
     if (DIM != 2) return;
     FOR_METHODS(m)
     {
-        if (!(*m)->smooth || (*m)->keeps_L || rig_pic(*m) > 0)
+        if (!(*m)->smooth || (*m)->keeps_L || fixture_pic(*m) > 0)
             continue; /* crossings disturb a kept L at first order */
         CHECK_CLOSE(fall_with_dt(&c, *m, UVF, 0.005, 16), 4, 0.2);
         CHECK_CLOSE(fall_with_dt(&c, *m, USL, 0.005, 16), 2, 0.1);

@@ -16,16 +16,16 @@ static void poison(Sim *sim)
     }
 }
 
-static void check_poison(Rig *r)
+static void check_poison(Fixture *r)
 {
-    Sim *clean = rig_sim(r), *dirty = rig_sim(r);
+    Sim *clean = fixture_sim(r), *dirty = fixture_sim(r);
     sim_sort(dirty); /* so that there is padding */
     CU_ASSERT(dirty->p.n > dirty->p.count);
     for (int k = 0; k < FEW; k++) {
         poison(dirty);
-        CU_ASSERT_FATAL(rig_steps(r, clean, k, k + 1) && rig_steps(r, dirty, k, k + 1));
+        CU_ASSERT_FATAL(fixture_steps(r, clean, k, k + 1) && fixture_steps(r, dirty, k, k + 1));
     }
-    double *a = rig_state(clean), *b = rig_state(dirty);
+    double *a = fixture_state(clean), *b = fixture_state(dirty);
     CU_ASSERT(memcmp(a, b, sizeof(double) * FIELDS * (size_t)clean->p.count) == 0);
     free(a), free(b), sim_free(clean), sim_free(dirty);
 }
@@ -44,8 +44,8 @@ static void test_poison_wide(void)
                          {3, "free_block", 6, 1, 0, "drift=4;swing=3;box=2"}};
     FOR_METHODS(m)
     {
-        Rig r;
-        CU_ASSERT_FATAL(rig_plan(&r, &wide[DIM - 1], (*m)->info.name, UVF, "allow_unstable=1"));
+        Fixture r;
+        CU_ASSERT_FATAL(fixture_plan(&r, &wide[DIM - 1], (*m)->info.name, UVF, "allow_unstable=1"));
         check_poison(&r);
     }
 }

@@ -164,7 +164,7 @@ static double error_now(const Fem *f, double t)
  * t^n K and the power are means over the half steps around it; the ring starts at rest. */
 static void run_ring(const double par[6], int cells, double cfl, double *error, double *drift)
 {
-    const Scene s = rig_bare_scene(&problem_ring, par, 1.0 / cells);
+    const Scene s = fixture_bare_scene(&problem_ring, par, 1.0 / cells);
     Fem *f = make(&s, cells, 1);
     const int n = (int)ceil(s.t_end / (cfl * solver_fem.unit_dt(f)) - 1e-9);
     const double dt = s.t_end / n, start = strain(f);
@@ -219,7 +219,7 @@ static void test_energy(void)
 
 static void test_momentum(void)
 {
-    const Scene s = rig_bare_scene(&problem_ring, quarter, 1.0 / 16);
+    const Scene s = fixture_bare_scene(&problem_ring, quarter, 1.0 / 16);
     Fem *f = make(&s, 16, 1);
     Vec impulse;
     double dt = 0.3 * solver_fem.unit_dt(f);
@@ -244,7 +244,7 @@ static void test_momentum(void)
 
 static void test_threads(void)
 {
-    const Scene s = rig_bare_scene(&problem_ring, full, 1.0 / 64);
+    const Scene s = fixture_bare_scene(&problem_ring, full, 1.0 / 64);
     Fem *one = make(&s, 64, 1);
     const double dt = 0.3 * solver_fem.unit_dt(one);
     for (int k = 0; k < 20; k++) solver_fem.step(one, k * dt, dt, k == 0);

@@ -22,10 +22,10 @@ static const struct Shape {
     {"cavity", "", 12, 1 - M_PI / 48, 0.5, 0},
 };
 
-static Fem *mesh_of(const struct Shape *s, Rig *r, int threads)
+static Fem *mesh_of(const struct Shape *s, Fixture *r, int threads)
 {
     const Case c = {DIM, s->problem, s->cells, 0, 0, s->set};
-    CU_ASSERT_FATAL(rig_plan(r, &c, "fem", CD, NULL));
+    CU_ASSERT_FATAL(fixture_plan(r, &c, "fem", CD, NULL));
     r->plan.setup.threads = threads;
     Fem *f = fem_new(&r->plan.setup, &r->fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(f);
@@ -37,7 +37,7 @@ static void test_volumes(void)
 {
     for (int k = 0; k < COUNT(shapes); k++) {
         const struct Shape *s = &shapes[k];
-        Rig r;
+        Fixture r;
         Fem *f = mesh_of(s, &r, 1);
         double volume = 0, share = 0, least = INFINITY;
         for (int e = 0; e < f->elements; e++) volume += f->A0[e], least = fmin(least, f->A0[e]);
@@ -117,7 +117,7 @@ static bool on_surface(const Fem *f, const Face *face)
 static void test_conformity(void)
 {
     for (int s = 0; s < COUNT(shapes); s++) {
-        Rig r;
+        Fixture r;
         Fem *f = mesh_of(&shapes[s], &r, 1);
         Face *face = faces_of(f);
         const int n = 4 * f->elements;
@@ -139,7 +139,7 @@ static void test_conformity(void)
 static void test_lists(void)
 {
     for (int s = 0; s < COUNT(shapes); s++) {
-        Rig r;
+        Fixture r;
         Fem *f = mesh_of(&shapes[s], &r, 1);
         int corners = 0, wrong = 0;
         for (int i = 0; i < f->nodes; i++)
@@ -156,7 +156,7 @@ static void test_lists(void)
 /* No bit depends on the number of threads. */
 static void test_threads(void)
 {
-    Rig one, two;
+    Fixture one, two;
     Fem *f = mesh_of(&shapes[4], &one, 1), *g = mesh_of(&shapes[4], &two, 2);
     CU_ASSERT(g->threads == 2);
     for (int k = 0; k < 10; k++) {
@@ -184,7 +184,7 @@ static void add_face(void *own, const Patch *p)
 
 static void test_faces(void)
 {
-    Rig r;
+    Fixture r;
     Fem *f = mesh_of(&shapes[0], &r, 1);
     double sum[2] = {0};
     solver_fem.patches(f, add_face, sum);

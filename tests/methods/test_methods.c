@@ -11,31 +11,31 @@ static const Case blocks[] = {{1, "free_block", 200, 2, 0, NULL},
                               {2, "free_block", 16, 4, 0, NULL},
                               {3, "free_block", 10, 8, 0, NULL}};
 
-typedef void Check(Rig *r);
+typedef void Check(Fixture *r);
 
 static void for_variants(const Case *scene, Check *check, const char *more)
 {
     char set[VARIANT_TEXT];
     FOR_METHODS(m) for (int k = 0; k < VARIANTS; k++) FOR_INTEGRATORS(i)
     {
-        Rig r;
-        if (!rig_variant(*m, k, more, set) || !rig_valid(*m, i, false)) continue;
-        CU_ASSERT_FATAL(rig_plan(&r, scene, (*m)->info.name, i, set));
+        Fixture r;
+        if (!fixture_variant(*m, k, more, set) || !fixture_valid(*m, i, false)) continue;
+        CU_ASSERT_FATAL(fixture_plan(&r, scene, (*m)->info.name, i, set));
         check(&r);
     }
 }
 
 /* ---- a uniform velocity moves the body and nothing else */
 
-static void check_constant(Rig *r)
+static void check_constant(Fixture *r)
 {
-    Sim *sim = rig_sim(r);
-    double *start = rig_state(sim);
+    Sim *sim = fixture_sim(r);
+    double *start = fixture_state(sim);
     const int n = sim->p.count, steps = 20;
-    CU_ASSERT(rig_steps(r, sim, 0, steps));
-    double *end = rig_state(sim);
-    CU_ASSERT(rig_gap(start, end, n, AT_V, DIM) < 1e-12 * rig_size(start, n, AT_V, DIM));
-    CU_ASSERT(rig_gap(start, end, n, AT_F, NMAT) < 1e-12);
+    CU_ASSERT(fixture_steps(r, sim, 0, steps));
+    double *end = fixture_state(sim);
+    CU_ASSERT(fixture_gap(start, end, n, AT_V, DIM) < 1e-12 * fixture_size(start, n, AT_V, DIM));
+    CU_ASSERT(fixture_gap(start, end, n, AT_F, NMAT) < 1e-12);
     for (int k = 0; k < n; k++)
         for (int d = 0; d < DIM; d++)
             CHECK_CLOSE(end[(AT_X + d) * n + k],
@@ -82,13 +82,13 @@ static double turning(const Sim *sim)
 }
 
 /* With uvf particles do not move along the velocity that they carry. */
-static void check_turning(Rig *r)
+static void check_turning(Fixture *r)
 {
     if (!r->plan.setup.method->turns || r->plan.setup.integrator == UVF) return;
-    Sim *sim = rig_sim(r);
+    Sim *sim = fixture_sim(r);
     sim_sort(sim); /* from here on it keeps moments */
     const double before = turning(sim);
-    CU_ASSERT(rig_steps(r, sim, 0, 100));
+    CU_ASSERT(fixture_steps(r, sim, 0, 100));
     CHECK_CLOSE(turning(sim), before, 1e-12 * fabs(before));
     CU_ASSERT(fabs(before) > 1);
     sim_free(sim);
@@ -106,17 +106,17 @@ static void test_turning(void)
 /* What is left of them after three steps, inside; *pic: the share of v that the method replaces. */
 static double ringing_left(const char *method, const char *set, double *pic)
 {
-    Rig r;
+    Fixture r;
     double left = 0;
     const double reach = DIM < 3 ? 0.2 : 0.06; /* as far from the edges, in cells */
-    CU_ASSERT_FATAL(rig_plan(&r, &blocks[DIM - 1], method, CD, set));
-    Sim *sim = rig_sim(&r);
+    CU_ASSERT_FATAL(fixture_plan(&r, &blocks[DIM - 1], method, CD, set));
+    Sim *sim = fixture_sim(&r);
     Particles *p = &sim->p;
     for (int k = 0; k < p->n; k++)
         for (int a = 0; a < DIM; a++)
             p->field[AT_V + a][k] =
                 p->id[k] % 2 ? -1e-6 : 1e-6; /* two particles per cell and axis */
-    CU_ASSERT(rig_steps(&r, sim, 0, 3));
+    CU_ASSERT(fixture_steps(&r, sim, 0, 3));
     for (int k = 0; k < p->n; k++) {
         bool inside = p->id[k] >= 0; /* at the edges S v is not nothing */
         for (int d = 0; d < DIM; d++)
@@ -137,7 +137,7 @@ static void test_ringing(void)
     FOR_METHODS(m) for (int k = 0; k < VARIANTS; k++)
     {
         char set[VARIANT_TEXT];
-        if (!rig_variant(*m, k, STILL, set)) continue;
+        if (!fixture_variant(*m, k, STILL, set)) continue;
         const double left = ringing_left((*m)->info.name, set, &pic), kept = pow(1 - pic, 3);
         if (pic > 0 || !(*m)->surface) CHECK_CLOSE(left, kept, 0.1 * kept + 0.01);
         CU_ASSERT(pic >= 0 && pic <= 1 && (!(*m)->filter || pic > 1 - 1e-15));
@@ -166,13 +166,13 @@ static void test_filter(void)
 /* The particles after ten steps of a smooth swing, and how many they are. */
 static double *swing(const char *method, const char *set, int *n)
 {
-    Rig r;
+    Fixture r;
     char all[64];
     snprintf(all, sizeof all, "%s;spin=0;drift=0", set);
-    CU_ASSERT_FATAL(rig_plan(&r, &blocks[DIM - 1], method, CD, all));
-    Sim *sim = rig_sim(&r);
-    CU_ASSERT(rig_steps(&r, sim, 0, 10));
-    double *state = rig_state(sim);
+    CU_ASSERT_FATAL(fixture_plan(&r, &blocks[DIM - 1], method, CD, all));
+    Sim *sim = fixture_sim(&r);
+    CU_ASSERT(fixture_steps(&r, sim, 0, 10));
+    double *state = fixture_state(sim);
     *n = sim->p.count;
     sim_free(sim);
     return state;
@@ -206,8 +206,8 @@ static void test_blend(void)
     double *flip = swing("flip_pic", "alpha=1", &n), *gimp = swing("gimp", "spin=0", &n);
     double *pic = swing("flip_pic", "alpha=0", &n), *fmpm = swing("fmpm", "order=1", &n);
     CU_ASSERT(memcmp(flip, gimp, sizeof *flip * (size_t)(FIELDS * n)) == 0);
-    CU_ASSERT(rig_distance(fmpm, pic, n, false) < 1e-13);
-    CU_ASSERT(rig_distance(flip, pic, n, false) > 1e-3);
+    CU_ASSERT(fixture_distance(fmpm, pic, n, false) < 1e-13);
+    CU_ASSERT(fixture_distance(flip, pic, n, false) > 1e-3);
     free(flip), free(gimp), free(pic), free(fmpm);
 }
 
@@ -264,11 +264,11 @@ static void test_wall_field(void)
 {
     const char *const scene[] = {"bar", "ring", "shell"};
     const Case c = {DIM, scene[DIM - 1], DIM < 3 ? 16 : 6, 0, 0, NULL};
-    Rig r;
+    Fixture r;
     static Work w;
-    CU_ASSERT_FATAL(rig_plan(&r, &c, "bspline", CD, NULL));
-    Sim *sim = rig_sim(&r);
-    CU_ASSERT(rig_steps(&r, sim, 0, 50)); /* and it runs */
+    CU_ASSERT_FATAL(fixture_plan(&r, &c, "bspline", CD, NULL));
+    Sim *sim = fixture_sim(&r);
+    CU_ASSERT(fixture_steps(&r, sim, 0, 50)); /* and it runs */
     for (int k = 0; DIM == 1 && k < sim->p.n / CHUNK; k++) {
         const Chunk chunk = sim_chunk(sim, k);
         make_stencils(sim, &chunk, &w);

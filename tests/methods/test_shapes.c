@@ -57,7 +57,7 @@ static void test_sums(void)
     {
         const double most = widest[round % COUNT(widest)];
         for (int p = 0; p < CHUNK; p++)
-            x[p] = rig_random(10, 20), b[p] = p ? rig_random(1e-3, most) : most;
+            x[p] = fixture_random(10, 20), b[p] = p ? fixture_random(1e-3, most) : most;
         shape(*m, x, b, most, &s);
         check_sums(*m, &s, most, x, b);
     }
@@ -97,8 +97,8 @@ static void test_gradient(void)
         if ((*m)->slopes_fitted) continue; /* which are no derivatives */
         const double most = widest[round % 2];
         for (int p = 0; p < CHUNK; p++) {
-            x[p] = floor(rig_random(10, 20)) + rig_random(0.001, 0.999);
-            xu[p] = x[p] + e, xd[p] = x[p] - e, b[p] = rig_random(0.05, most);
+            x[p] = floor(fixture_random(10, 20)) + fixture_random(0.001, 0.999);
+            xu[p] = x[p] + e, xd[p] = x[p] - e, b[p] = fixture_random(0.05, most);
         }
         shape(*m, x, b, most, &s), shape(*m, xu, b, most, &up), shape(*m, xd, b, most, &down);
         for (int p = 0; p < CHUNK; p++)
@@ -117,7 +117,7 @@ static void test_width_is_free(void)
 {
     Stencil narrow, wide;
     Field x, b;
-    for (int p = 0; p < CHUNK; p++) x[p] = rig_random(10, 20), b[p] = rig_random(0.01, 0.5);
+    for (int p = 0; p < CHUNK; p++) x[p] = fixture_random(10, 20), b[p] = fixture_random(0.01, 0.5);
     FOR_PRODUCTS(m)
     {
         shape(*m, x, b, 0.5, &narrow), shape(*m, x, b, 2, &wide);

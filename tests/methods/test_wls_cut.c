@@ -19,11 +19,16 @@ static const char *const askew[] = {"dim=1;offset_x=.3", "dim=2;offset_x=.3;offs
 static void check_affine(const char *method, const char *set)
 {
     static const double B[3][3] = {{0.7, -0.4, 0.2}, {0.3, 1.1, -0.5}, {0.6, -0.2, 0.9}};
-    Rig r;
+    Fixture r;
     char both[192];
     snprintf(both, sizeof both, "layout=radial;%s;%s", askew[DIM - 1], set);
+<<<<<<< HEAD
     CU_ASSERT_FATAL(rig_plan(&r, &block, method, CD, both));
     Sim *sim = rig_sim(&r);
+=======
+    CU_ASSERT_FATAL(fixture_plan(&r, &block, "ge_wls", CD, both));
+    Sim *sim = fixture_sim(&r);
+>>>>>>> house18b
     sim_sort(sim);
     const double dx = sim->dx;
     const Particles *p = &sim->p;
@@ -147,7 +152,7 @@ static void set_spurious_forces(Sim *sim)
                 if (g->force) g->force[at * DIM + (size_t)a] = 0;
                 for (int b = 0; b < DIM; b++) g->node[at][FLUX + b * DIM + a] = 0;
                 if (!w->good[at] && massive && !(held >> a & 1))
-                    g->node[at][FLUX + a] = rig_random(-1, 1);
+                    g->node[at][FLUX + a] = fixture_random(-1, 1);
             }
         }
 }
@@ -181,9 +186,9 @@ static void add_folded(const Sim *sim, int row, int i, double dt, Folded *out)
 
 /* What spurious nodes give, their good neighbours and the walls get. Counts
  * scenes in which some gave, and in which walls bore a part. */
-static void check_folded(Rig *r, int count[2])
+static void check_folded(Fixture *r, int count[2])
 {
-    Sim *sim = rig_sim(r);
+    Sim *sim = fixture_sim(r);
     Grid *g = &sim->g;
     Folded sum = {{0}, {0}, {0}, 0};
     CU_ASSERT_FATAL(sim_project(sim).code == OK);
@@ -218,9 +223,9 @@ static void test_folded(void)
 {
     int count[2] = {0, 0};
     for (int k = 0; k < COUNT(scenes); k++) {
-        Rig r;
+        Fixture r;
         if (scenes[k].dim != DIM) continue;
-        CU_ASSERT_FATAL(rig_plan(&r, &scenes[k], "ge_wls", CD, NULL));
+        CU_ASSERT_FATAL(fixture_plan(&r, &scenes[k], "ge_wls", CD, NULL));
         check_folded(&r, count);
     }
     CU_ASSERT(DIM == 1 || count[0] >= 2); /* bars have no spurious nodes with mass */

@@ -84,12 +84,12 @@ static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fiel
 static const Problem by_hand = {.cfl = 0.1, .init = init, .place = place, .start = start};
 
 /* Sorted and with its cells integrated; what Sim points to stays in r. */
-static Sim *assemble(Rig *r)
+static Sim *assemble(Fixture *r)
 {
-    rig_scene(r, &by_hand, &method_wls, CD, 1, DIM == 1 ? 2 : 4);
+    fixture_scene(r, &by_hand, &method_wls, CD, 1, DIM == 1 ? 2 : 4);
     r->plan.setup.fitted = true;
     r->plan.method_par[P_TRIGGER] = DIM == 1 ? 0.12 : 0.4;
-    Sim *sim = rig_sim(r);
+    Sim *sim = fixture_sim(r);
     const size_t nodes = (size_t)sim->g.rows * (size_t)sim->g.n[0];
     sim_sort(sim);
     for (size_t at = 0; at < nodes; at++) sim->g.node[at] = (Line){0};
@@ -134,7 +134,7 @@ static void check_node(const Sim *sim, size_t at, double mass, const Vec force)
 static void test_line(void)
 {
     const double e = 165257.0 / 316240;
-    Rig r;
+    Fixture r;
     if (DIM != 1) return;
     Sim *sim = assemble(&r);
     const size_t inner = node_at(sim, 2, 0), outer = node_at(sim, 3, 0);
@@ -151,7 +151,7 @@ static void test_plane(void)
     const double e = 169.0 / 964 + 97.0 / 241 / 6 + 1.0 / 9;
     const double inner[] = {169.0 / 964, 97.0 / 241, 1};
     const double force[] = {-1.0 / 12 * (7.0 / 9 + 2.0 / 6) * e, -1.0 / 12 * (2.0 / 9) * e};
-    Rig r;
+    Fixture r;
     if (DIM != 2) return;
     Sim *sim = assemble(&r);
     check_fit(sim, node_at(sim, 2, 2), inner);

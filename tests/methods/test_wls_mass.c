@@ -26,7 +26,7 @@ static double *node_field(const Sim *sim)
 
 static void test_matrix_symbol(void)
 {
-    Rig r;
+    Fixture r;
     static const char *const set[] = {"velocity=plain", "velocity=corrected"};
     for (int exact = 0; exact < 2; exact++) {
         Sim *sim = block_open(&r, set[exact]);
@@ -48,7 +48,7 @@ static void test_matrix_symbol(void)
 /* Entries 2/3 and 1/6 per axis, rho h^DIM their unit; others are 0. */
 static void test_matrix_entries(void)
 {
-    Rig r;
+    Fixture r;
     Sim *sim = block_open(&r, "velocity=corrected");
     CU_ASSERT(sim_project(sim).code == OK);
     const size_t middle_at = middle_node(sim), row = (size_t)sim->g.n[0];
@@ -87,7 +87,7 @@ static double form(Sim *sim, const double *y, const double *x)
 /* First moments are M times coordinates less row sums; and M is symmetric, cut cells included. */
 static void test_moments(void)
 {
-    Rig r;
+    Fixture r;
     Sim *sim = block_open(&r, askew);
     CU_ASSERT(sim_project(sim).code == OK);
     const Grid *g = &sim->g;
@@ -105,7 +105,7 @@ static void test_moments(void)
                         1e-12 * pow(dx, DIM));
         }
     }
-    for (size_t at = 0; at < n; at++) x[at] = rig_random(-1, 1), y[at] = rig_random(-1, 1);
+    for (size_t at = 0; at < n; at++) x[at] = fixture_random(-1, 1), y[at] = fixture_random(-1, 1);
     const double sum = form(sim, y, x);
     CHECK_CLOSE(sum, form(sim, x, y), 1e-14);
     CU_ASSERT(fabs(sum) > 1e-5);

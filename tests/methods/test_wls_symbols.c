@@ -57,7 +57,7 @@ static int middle_particle(const Sim *sim)
 /* The fit of v (a node's own), and what a particle moves with: fit and return, of its velocity. */
 static void check_motion(const char *set, int axis, double fit, double motion)
 {
-    Rig r;
+    Fixture r;
     Sim *sim = block_open(&r, set);
     const int id = middle_particle(sim);
     set_velocity(sim, axis);
@@ -85,7 +85,7 @@ static void test_motion(void)
  * far the grid's own acceleration moves it. */
 static void check_kick(const char *set, int axis, double node, double kick, double carry)
 {
-    Rig r;
+    Fixture r;
     Sim *sim = block_open(&r, set);
     const double dt = 10 * r.dt; /* one step: nothing can grow */
     const int id = middle_particle(sim);
@@ -118,7 +118,7 @@ static void test_kick(void)
 static void test_return(void)
 {
     for (int axis = 0; axis < DIM; axis++) {
-        Rig r;
+        Fixture r;
         Sim *sim = block_open(&r, "return=spline");
         const int slot = slot_of(sim, middle_particle(sim));
         CU_ASSERT(sim_project(sim).code == OK);

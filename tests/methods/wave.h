@@ -10,13 +10,13 @@ static const double epsilon = 3e-7;          /* amplitude of the strain */
 static const double dx = 1.0 / CELLS;
 
 /* The block in the middle of its box, its lattice on the grid lines. */
-static inline Sim *block_open(Rig *r, const char *more)
+static inline Sim *block_open(Fixture *r, const char *more)
 {
     const Case block = {.dim = DIM, .problem = "block", .cells = CELLS};
     char set[256];
     snprintf(set, sizeof set, "dim=%d;layout=radial;%s", DIM, more);
-    CU_ASSERT_FATAL(rig_plan(r, &block, "ge_wls", CD, set));
-    Sim *sim = rig_sim(r);
+    CU_ASSERT_FATAL(fixture_plan(r, &block, "ge_wls", CD, set));
+    Sim *sim = fixture_sim(r);
     sim_sort(sim);
     return sim;
 }

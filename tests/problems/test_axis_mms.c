@@ -9,7 +9,7 @@ static const double par[] = {0.05, 1e4, 0.3, 2};
 
 static void test_balance(void)
 {
-    const Scene s = rig_bare_scene(&problem_axis_mms, par, 1);
+    const Scene s = fixture_bare_scene(&problem_axis_mms, par, 1);
     for (int k = 0; k < 40; k++) {
         const Vec X = {fmod(0.37 * k, 1), fmod(0.61 * k + 0.2, 1)};
         const double t = s.t_end * k / 40;
@@ -23,7 +23,7 @@ static void test_balance(void)
 /* v is du/dt and L its gradient; both vanish across the sides they must not cross. */
 static void test_start(void)
 {
-    const Scene s = rig_bare_scene(&problem_axis_mms, par, 1);
+    const Scene s = fixture_bare_scene(&problem_axis_mms, par, 1);
     for (int k = 0; k < 40; k++) {
         const Vec X = {k % 4 ? 0.0257 * k : 0, k % 4 == 1 ? 1 : 0.0257 * k};
         Vec v, expected, u;

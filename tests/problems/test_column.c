@@ -8,7 +8,7 @@ static const Case column = {.dim = DIM, .problem = "column", .cells = 16};
 static const double top = 2, c = 100, g = 100;
 
 /* Downwards displacement at s from the top. */
-static double sunk(const Rig *r, double s, double t)
+static double sunk(const Fixture *r, double s, double t)
 {
     Vec X = {0}, u;
     const double *in[DIM];
@@ -20,17 +20,17 @@ static double sunk(const Rig *r, double s, double t)
     return -u[Y];
 }
 
-static void open_column(Rig *r, const char *method, const char *more)
+static void open_column(Fixture *r, const char *method, const char *more)
 {
     char set[64];
     snprintf(set, sizeof set, "dim=%d;%s", DIM, more ? more : "");
-    CU_ASSERT_FATAL(rig_plan(r, &column, method, CD, set));
+    CU_ASSERT_FATAL(fixture_plan(r, &column, method, CD, set));
 }
 
 /* w_tt = c^2 w_ss + g away from the fronts (s = c t and its reflections), where w_ss jumps. */
 static void test_wave_equation(void)
 {
-    Rig r;
+    Fixture r;
     const double ds = 1e-3, dt = ds / (2 * c);
     int checked = 0;
     open_column(&r, "gimp", NULL);
@@ -49,7 +49,7 @@ static void test_wave_equation(void)
 
 static void test_ends(void)
 {
-    Rig r;
+    Fixture r;
     open_column(&r, "gimp", NULL);
     for (double ct = 0; ct < 8; ct += 0.0717) {
         const double t = ct / c, tip = sunk(&r, 1, t);
@@ -71,7 +71,7 @@ static double error_of(const char *method, int cells)
     fine.cells = cells;
     char set[64];
     snprintf(set, sizeof set, "dim=%d", DIM);
-    RunSpec spec = rig_spec(&fine, method, "cd", set);
+    RunSpec spec = fixture_spec(&fine, method, "cd", set);
     CU_ASSERT_FATAL(ENGINE_NAME.run(&spec, &row, &fault) == 0);
     CHECK_TEXT(row.status, "ok");
     return row.error_linf;

@@ -14,7 +14,7 @@ static const double bilateral[1] = {0}, unilateral[1] = {1};
 
 static void test_disk_points(void)
 {
-    const Scene s = rig_bare_scene(&problem_disk_impact, bilateral, 1.0 / 48);
+    const Scene s = fixture_bare_scene(&problem_disk_impact, bilateral, 1.0 / 48);
     Layout out = {0};
     double area = 0, moment[DIM] = {0};
     int surface = 0;
@@ -37,7 +37,7 @@ static void test_disk_points(void)
 
 static void test_disk_lattice(void)
 {
-    const Scene s = rig_bare_scene(&problem_disk_impact, bilateral, 1.0 / 48);
+    const Scene s = fixture_bare_scene(&problem_disk_impact, bilateral, 1.0 / 48);
     Layout out = {0};
     CU_ASSERT_FATAL(layout_make(&out, &s, 1.0 / 96, 0, false, NULL) == 0);
     for (int p = 0; p < out.n; p++) CU_ASSERT(hypot(out.X[0][p] - 0.3, out.X[1][p] - 0.3) <= 0.2);
@@ -49,7 +49,7 @@ static void test_disk_walls(void)
 {
     const double *const par[] = {bilateral, unilateral};
     for (int k = 0; k < 2; k++) {
-        const Scene s = rig_bare_scene(&problem_disk_impact, par[k], 1.0 / 48);
+        const Scene s = fixture_bare_scene(&problem_disk_impact, par[k], 1.0 / 48);
         double v[DIM] = {0}, none[NMAT] = {0}, X[DIM] = {0.3, 0.3};
         CU_ASSERT_EQUAL(s.nwall, 2 * DIM);
         for (int w = 0; w < s.nwall; w++) {
@@ -80,7 +80,7 @@ static void check_plate_normal(const Layout *out, int p)
 
 static void test_plate_points(void)
 {
-    const Scene s = rig_bare_scene(&problem_hole_plate, NULL, 1.0 / 48);
+    const Scene s = fixture_bare_scene(&problem_hole_plate, NULL, 1.0 / 48);
     const double spacing = 1.0 / 64;
     Layout out = {0};
     double area = 0;
@@ -107,7 +107,7 @@ static void test_plate_points(void)
 
 static void test_plate_data(void)
 {
-    const Scene s = rig_bare_scene(&problem_hole_plate, NULL, 1.0 / 48);
+    const Scene s = fixture_bare_scene(&problem_hole_plate, NULL, 1.0 / 48);
     for (int k = 0; k < 9; k++) {
         const double X[DIM] = {0.125 * k, 0.7};
         Vec b = {1, 1};

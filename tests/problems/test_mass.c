@@ -34,7 +34,7 @@ static double sum(int n, const double x[])
 static void check_box(const Sim *sim, double spacing)
 {
     const int n = sim->p.count;
-    double volume = 1, *state = rig_state(sim), points = 1, skew = 0;
+    double volume = 1, *state = fixture_state(sim), points = 1, skew = 0;
     int outside = 0;
     for (int d = 0; d < DIM; d++) {
         const double length = ends[d][1] - ends[d][0], *X = state + (AT_X0 + d) * n;
@@ -63,15 +63,15 @@ static void test_boxes(void)
     for (int b = 0; b < COUNT(boxes); b++)
         for (int cells = 1; cells < (DIM < 3 ? 34 : 9); cells++)
             for (int k = 0; k < COUNT(asked); k++) {
-                Rig r;
+                Fixture r;
                 for (int d = 0; d < DIM; d++) {
                     ends[d][0] = boxes[(b + d) % COUNT(boxes)][0];
                     ends[d][1] = boxes[(b + d) % COUNT(boxes)][1];
                 }
                 const double ppc = DIM == 3 ? asked[k] * sqrt(asked[k]) : asked[k];
-                rig_scene(&r, &box, methods[0], CD, cells, ppc);
+                fixture_scene(&r, &box, methods[0], CD, cells, ppc);
                 r.plan.setup.fitted = k % 2;
-                Sim *sim = rig_sim(&r);
+                Sim *sim = fixture_sim(&r);
                 check_box(sim, sim->dx / pow(ppc, 1.0 / DIM));
                 sim_free(sim);
             }
@@ -81,13 +81,13 @@ static void test_boxes(void)
 static void test_lattice(void)
 {
     for (int cells = 2; cells < 40; cells += 2) {
-        Rig r;
+        Fixture r;
         const double s = 1.0 / cells / 2;
         for (int d = 0; d < DIM; d++) ends[d][0] = 0.5, ends[d][1] = 1.5;
         if (DIM == 3 && cells > 8) return;
-        rig_scene(&r, &box, methods[0], CD, cells, pow(2, DIM));
-        Sim *sim = rig_sim(&r);
-        double *state = rig_state(sim);
+        fixture_scene(&r, &box, methods[0], CD, cells, pow(2, DIM));
+        Sim *sim = fixture_sim(&r);
+        double *state = fixture_state(sim);
         int moved = 0;
         for (int k = 0; k < sim->p.count; k++) {
             int rest = k;
@@ -151,12 +151,12 @@ static double bodies_of(const Scene *s, const Case *c, bool fitted, bool mesh, d
 
 static void check_scene(const Case *c, const char *method, bool fitted)
 {
-    Rig r;
+    Fixture r;
     Points p;
     Samples q;
     Counts counts;
     double error;
-    if (!rig_plan(&r, c, method, CD, fitted ? "layout=radial" : "layout=cartesian")) return;
+    if (!fixture_plan(&r, c, method, CD, fitted ? "layout=radial" : "layout=cartesian")) return;
     const Scene *s = &r.plan.scene;
     const bool mesh = r.plan.setup.method == NULL;
     void *self = r.plan.solver->make(&r.plan.setup, &r.fault);
@@ -202,10 +202,10 @@ static void test_patch(void)
         for (int k = 0; k < COUNT(sets); k++) {
             const Case c = {2, "patch", cells, 4, 0, sets[k]};
             const double side = 2 * round(0.3 / (1.0 / cells)) / cells;
-            Rig r;
-            CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", CD, NULL));
-            Sim *sim = rig_sim(&r);
-            double *state = rig_state(sim);
+            Fixture r;
+            CU_ASSERT_FATAL(fixture_plan(&r, &c, "gimp", CD, NULL));
+            Sim *sim = fixture_sim(&r);
+            double *state = fixture_state(sim);
             const double V = sum(sim->p.count, state + AT_VOL * sim->p.count);
             CHECK_CLOSE(V / (side * (k < 4 ? side : 1.5 / cells)), 1, 1e-12);
             free(state);
@@ -227,7 +227,7 @@ static void test_ppc_column(void)
                 {{1, "squeeze", 10, 5, 0, "arrangement=centred"}, "gimp", 2, 1},
                 {{1, "bar", 10, 2.34, 0, "steps=1"}, "gimp", 2.3, 1}};
     for (int k = 0; k < COUNT(runs); k++) {
-        const RunSpec spec = rig_spec(&runs[k].scene, runs[k].method, NULL, NULL);
+        const RunSpec spec = fixture_spec(&runs[k].scene, runs[k].method, NULL, NULL);
         Row row = row_empty();
         if (runs[k].scene.dim != DIM) continue;
         CU_ASSERT_FATAL(run_spec(&spec, &row, NULL) == 0);

@@ -15,7 +15,7 @@ static void test_body_force_values(void)
         double R, t, b;
     } known[] = {
         {0.5, 0, -1837.006}, {0.75, 0, -8193.199}, {1, 0, -14915.06}, {0.75, 0.02 / 3, 4020.148}};
-    const Scene s = rig_bare_scene(&problem_ring, quarter, 1);
+    const Scene s = fixture_bare_scene(&problem_ring, quarter, 1);
     for (int k = 0; k < 4; k++) {
         Vec b;
         body_force(&s, (Vec){known[k].R, 0}, known[k].t, b);
@@ -26,7 +26,7 @@ static void test_body_force_values(void)
 
 static void test_body_force_balance(void)
 {
-    const Scene s = rig_bare_scene(&problem_ring, moved, 1.0 / 32);
+    const Scene s = fixture_bare_scene(&problem_ring, moved, 1.0 / 32);
     for (int k = 0; k < 40; k++) {
         double R = 0.5 + 0.5 * k / 39, angle = 2.4 * k, t = 0.0007 * k;
         Vec X = {s.body.centre[0] + R * cos(angle), s.body.centre[1] + R * sin(angle)}, b, expected;
@@ -39,7 +39,7 @@ static void test_body_force_balance(void)
 
 static void test_start(void)
 {
-    const Scene s = rig_bare_scene(&problem_ring, moved, 1.0 / 32);
+    const Scene s = fixture_bare_scene(&problem_ring, moved, 1.0 / 32);
     for (int k = 0; k < 40; k++) {
         double R = 0.5 + 0.5 * k / 39, angle = 2.4 * k, none[NMAT] = {0};
         Vec X = {s.body.centre[0] + R * cos(angle), s.body.centre[1] + R * sin(angle)}, u, exact;
@@ -57,7 +57,7 @@ static void test_start(void)
 /* F_rr = 1 on both circles: with nu = 0 they are free of traction. */
 static void test_free_surfaces(void)
 {
-    const Scene s = rig_bare_scene(&problem_ring, quarter, 1);
+    const Scene s = fixture_bare_scene(&problem_ring, quarter, 1);
     for (int k = 0; k < 2; k++) {
         Mat F;
         exact_gradient(&s, (Vec){k ? 1 : 0.5, 0}, 0.003, F);
@@ -70,7 +70,7 @@ static void test_fitted_points(void)
     const double *const par[] = {quarter, moved};
     for (int k = 0; k < 2; k++) {
         Layout out = {0};
-        const Scene s = rig_bare_scene(&problem_ring, par[k], 1.0 / 32);
+        const Scene s = fixture_bare_scene(&problem_ring, par[k], 1.0 / 32);
         double area = 0, sum = 0;
         int surface = 0;
         CU_ASSERT_FATAL(layout_make(&out, &s, 1.0 / 64, 0, true, NULL) == 0);

@@ -35,7 +35,7 @@ static void remove_file(const char *kind)
 /* Samples of a scene of the stack: light but for a random third; row 0 is on top. */
 static void random_samples(unsigned char grey[SAMPLES])
 {
-    for (int k = 0; k < SAMPLES; k++) grey[k] = rig_random(0, 3) < 1 ? 10 : 250;
+    for (int k = 0; k < SAMPLES; k++) grey[k] = fixture_random(0, 3) < 1 ? 10 : 250;
     grey[0] = 10, grey[SAMPLES - 1] = 250;
 }
 
@@ -52,12 +52,12 @@ static bool has_particle(const Sim *sim, double x, double y)
 static void check_samples(const char *kind, const unsigned char grey[SAMPLES])
 {
     char set[128];
-    Rig r;
+    Fixture r;
     int dark = 0;
     snprintf(set, sizeof set, "file=%s", file_name(kind));
     const Case c = {2, "scan", SIDE / 2, 4, 0, set};
-    CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", CD, NULL));
-    Sim *sim = rig_sim(&r);
+    CU_ASSERT_FATAL(fixture_plan(&r, &c, "gimp", CD, NULL));
+    Sim *sim = fixture_sim(&r);
     for (int k = 0; k < SAMPLES; k++) {
         const double x = (k % SIDE + 0.5) / SIDE, y = 1 - (k / SIDE + 0.5) / SIDE;
         dark += grey[k] < 128;
@@ -99,9 +99,9 @@ static void test_formats(void)
 static void measure_surface(const char *set, double pixel, double *away, double *angle)
 {
     const Case c = {DIM, "scan", 16, 0, 0, set};
-    Rig r;
+    Fixture r;
     Layout l = {0};
-    CU_ASSERT_FATAL(rig_plan(&r, &c, "wls2", CD, "load=radial"));
+    CU_ASSERT_FATAL(fixture_plan(&r, &c, "wls2", CD, "load=radial"));
     CU_ASSERT_FATAL(r.plan.scene.problem->place(&r.plan.scene, 1.0 / 32, true, &l));
     *away = *angle = 0;
     for (int p = 0; p < l.n; p++) {
@@ -135,8 +135,8 @@ static void test_sample_file(void)
 {
     const Case drawn = {2, "scan", 32, 4, 0, "pixels=64;strain=.02"},
                read = {2, "scan", 32, 4, 0, "file=scan_porous.pgm;strain=.02"};
-    const RunSpec spec[] = {rig_spec(&drawn, "wls2", NULL, NULL),
-                            rig_spec(&read, "wls2", NULL, NULL)};
+    const RunSpec spec[] = {fixture_spec(&drawn, "wls2", NULL, NULL),
+                            fixture_spec(&read, "wls2", NULL, NULL)};
     Row row[2];
     char want[64], bytes[FILE_ROOM];
     if (DIM != 2) return;
@@ -159,8 +159,8 @@ static void test_sample_file(void)
 static void check_refused(const char *set, const char *says)
 {
     const Case c = {DIM, "scan", 16, 0, 0, set};
-    Rig r;
-    CU_ASSERT_FATAL(!rig_plan(&r, &c, "gimp", CD, NULL));
+    Fixture r;
+    CU_ASSERT_FATAL(!fixture_plan(&r, &c, "gimp", CD, NULL));
     CU_ASSERT(r.fault.code == FAULT_USAGE && strstr(r.fault.text, says) != NULL);
 }
 
@@ -202,7 +202,7 @@ static void test_stack(void)
 {
     enum { SLICES = 3, WIDE = 4 };
     char set[128], kind[32];
-    Rig r;
+    Fixture r;
     if (DIM != 3) return;
     for (int k = 1; k <= SLICES; k++) {
         unsigned char grey[WIDE * WIDE];
@@ -212,9 +212,9 @@ static void test_stack(void)
     }
     snprintf(set, sizeof set, "dim=3;width=2;file=%s", file_name("_%03d.pgm"));
     const Case c = {3, "scan", 1, 8, 0, set};
-    CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", CD, NULL));
+    CU_ASSERT_FATAL(fixture_plan(&r, &c, "gimp", CD, NULL));
     CHECK_CLOSE(r.plan.scene.body_hi[AXIS_LAST], 1.5, 1e-15);
-    Sim *sim = rig_sim(&r);
+    Sim *sim = fixture_sim(&r);
     CU_ASSERT(sim->p.count == WIDE * (1 + 2 + 3));
     sim_free(sim);
     write_file("_002.pgm", "P5\n4 3\n255\n", "000000000000", 12);
@@ -233,7 +233,7 @@ static void test_platens(void)
     static const char *const judged[] = {"gimp", "ge_gimp", "mpm", "ge_wls"};
     for (int m = 0; m < COUNT(judged) && DIM == 2; m++) {
         const Case c = {2, "scan", 32, 4, 0, "strain=.05"};
-        const RunSpec spec = rig_spec(&c, judged[m], NULL, NULL);
+        const RunSpec spec = fixture_spec(&c, judged[m], NULL, NULL);
         Row row;
         CU_ASSERT_FATAL(run_spec(&spec, &row, NULL) == 0);
         CHECK_TEXT(row.status, "ok");
@@ -242,12 +242,12 @@ static void test_platens(void)
     }
     for (int threads = 1; threads < 4 && DIM == 2; threads += 2) {
         const Case c = {2, "scan", 32, 4, 0, "strain=.05"};
-        Rig r;
-        CU_ASSERT_FATAL(rig_plan(&r, &c, "ge_gimp", CD, NULL));
+        Fixture r;
+        CU_ASSERT_FATAL(fixture_plan(&r, &c, "ge_gimp", CD, NULL));
         r.plan.setup.threads = threads;
-        Sim *sim = rig_sim(&r);
-        CU_ASSERT(rig_steps(&r, sim, 0, 50));
-        double *state = rig_state(sim);
+        Sim *sim = fixture_sim(&r);
+        CU_ASSERT(fixture_steps(&r, sim, 0, 50));
+        double *state = fixture_state(sim);
         const int n = sim->p.count;
         for (int p = 0; p < n; p++) {
             const double Y = state[(AT_X0 + AXIS_Y) * n + p], y = state[(AT_X + AXIS_Y) * n + p];

@@ -28,7 +28,7 @@ static void place(const Scene *s, int k, Vec X)
 
 static void check_balance(const Problem *problem, const double *par)
 {
-    const Scene s = rig_bare_scene(problem, par, 0.125);
+    const Scene s = fixture_bare_scene(problem, par, 0.125);
     double size = 0, gap = 0;
     for (int k = 0; k < 60; k++) {
         const double t = s.t_end * k / 60;
@@ -58,7 +58,7 @@ static void test_balance(void)
 /* u, v, F and L at the start are those of the exact motion; L is a gradient with respect to x. */
 static void check_start(const Problem *problem, const double *par)
 {
-    const Scene s = rig_bare_scene(problem, par, 0.125);
+    const Scene s = fixture_bare_scene(problem, par, 0.125);
     for (int k = 0; k < 40; k++) {
         Vec X, u, v, exact_u, exact_v;
         Mat F, L, exact_F, rate;
@@ -91,7 +91,7 @@ static void test_start(void)
 /* Its surfaces carry no traction: P N = 0 at both radii. */
 static void test_traction(void)
 {
-    const Scene s = rig_bare_scene(&problem_shell, octant, 0.125);
+    const Scene s = fixture_bare_scene(&problem_shell, octant, 0.125);
     for (int k = 0; k < 20; k++) {
         const double R = k % 2 ? 0.5 : 1, e[] = {0.48, 0.6, 0.64};
         const Vec X = {R * e[0], R * e[1], R * e[2]};
@@ -140,8 +140,8 @@ static void check_layout(const Scene *s, double spacing, double volume)
 static void test_spheres(void)
 {
     const double whole = 4.0 / 3 * M_PI * (1 - 0.125);
-    const Scene part = rig_bare_scene(&problem_shell, octant, 0.125),
-                full = rig_bare_scene(&problem_shell, moved, 0.125);
+    const Scene part = fixture_bare_scene(&problem_shell, octant, 0.125),
+                full = fixture_bare_scene(&problem_shell, moved, 0.125);
     for (int n = 2; n < 20; n += 5) {
         check_layout(&part, 0.5 / n, whole / 8);
         check_layout(&full, 0.5 / n, whole);
@@ -151,7 +151,7 @@ static void test_spheres(void)
 /* The set of points is the same after an exchange of axes: sums of products of odd powers. */
 static void test_exchange(void)
 {
-    const Scene s = rig_bare_scene(&problem_shell, octant, 0.125);
+    const Scene s = fixture_bare_scene(&problem_shell, octant, 0.125);
     Layout out = {0};
     double moment[6] = {0};
     sphere_add(&out, &s, 0.7, 0.1, 0.08, 0);
@@ -189,7 +189,7 @@ static void test_turn(void)
 /* Points of the cavity fill the cube less an eighth of a ball, but for the seam of two layouts. */
 static void test_cavity(void)
 {
-    const Scene s = rig_bare_scene(&problem_cavity, NULL, 0.125);
+    const Scene s = fixture_bare_scene(&problem_cavity, NULL, 0.125);
     Layout out = {0};
     double sum = 0;
     CU_ASSERT(s.problem->place(&s, 1.0 / 32, true, &out));
@@ -205,8 +205,8 @@ static void test_loaded(void)
     static const char *const judged[] = {"gimp", "wls2", "fem"};
     const double areas[] = {4 * M_PI / 8 * (0.25 + 1), M_PI / 2 * (0.5 + 1) * 0.25};
     for (int ring = 0; ring < 2; ring++) {
-        const Scene s = rig_bare_scene(ring ? &problem_ring : &problem_shell,
-                                       ring ? loaded_ring : loaded, 0.125);
+        const Scene s = fixture_bare_scene(ring ? &problem_ring : &problem_shell,
+                                           ring ? loaded_ring : loaded, 0.125);
         Layout out = {0};
         double area = 0;
         s.problem->surface(&s, 1.0 / 16, &out);
@@ -215,7 +215,7 @@ static void test_loaded(void)
         layout_free(&out);
         for (int m = 0; m < 3; m++) {
             const Case c = {3, ring ? "ring" : "shell", 8, 8, 0, "dim=3;traction=1"};
-            RunSpec spec = rig_spec(&c, judged[m], NULL, NULL);
+            RunSpec spec = fixture_spec(&c, judged[m], NULL, NULL);
             Row row;
             spec.t_end = 0.004;
             CU_ASSERT_FATAL(run_spec(&spec, &row, NULL) == 0);

@@ -23,7 +23,7 @@ static Vec *traction_at(const Scene *s, const Vec X, const Vec N, double t, Vec 
 
 static void test_body_force(void)
 {
-    const Scene s = rig_bare_scene(&problem_ring, loaded, 1.0 / 32);
+    const Scene s = fixture_bare_scene(&problem_ring, loaded, 1.0 / 32);
     for (int k = 0; k < 40; k++) {
         const double R = 0.52 + 0.46 * k / 39, angle = 0.3 + 0.02 * k, t = 0.0007 * k;
         const Vec X = {R * cos(angle), R * sin(angle)};
@@ -38,7 +38,7 @@ static void test_body_force(void)
 /* P N of the exact motion on both circles, outwards; nothing on the symmetry lines. */
 static void test_ring_traction(void)
 {
-    const Scene s = rig_bare_scene(&problem_ring, loaded, 1.0 / 32);
+    const Scene s = fixture_bare_scene(&problem_ring, loaded, 1.0 / 32);
     double least = INFINITY;
     for (int k = 0; k < 40; k++) {
         const double R = k % 2 ? 1 : 0.5, angle = 0.03 * k, t = 0.0007 * k, side = k % 2 ? 1 : -1;
@@ -58,7 +58,7 @@ static void test_ring_traction(void)
     CU_ASSERT(least > 0.01 * s.mat.E);
 }
 
-static double pulled(const Rig *r, double X, double t)
+static double pulled(const Fixture *r, double X, double t)
 {
     Vec at = {X, 1}, u;
     r->plan.scene.problem->exact(&r->plan.scene, 1, (const double *[]){&at[0], &at[1]}, t,
@@ -73,8 +73,8 @@ static void test_pulled_bar(void)
 {
     const Case bar = {DIM, "pulled_bar", 40, 0, 0, ""};
     const double c = 100, ds = 1e-4, dt = ds / c / 2;
-    Rig r;
-    CU_ASSERT_FATAL(rig_plan(&r, &bar, "gimp", CD, NULL));
+    Fixture r;
+    CU_ASSERT_FATAL(fixture_plan(&r, &bar, "gimp", CD, NULL));
     for (double ct = 0.013; ct < 4; ct += 0.0717) {
         const double t = ct / c;
         for (double X = 0.0131; X < 0.99; X += 0.0379) {
@@ -103,7 +103,7 @@ static void test_momentum(void)
         char path[64];
         Row row;
         Fault fault = {0};
-        RunSpec spec = rig_spec(&bar, names[m], NULL, "steps=60");
+        RunSpec spec = fixture_spec(&bar, names[m], NULL, "steps=60");
         snprintf(path, sizeof path, "traction_%d.csv", (int)getpid());
         spec.history = path;
         CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
@@ -135,7 +135,7 @@ static void test_threads(void)
         Row row[2];
         Fault fault = {0};
         for (int k = 0; k < 2; k++) {
-            RunSpec spec = rig_spec(&ring, names[m], NULL, "traction=1;steps=40");
+            RunSpec spec = fixture_spec(&ring, names[m], NULL, "traction=1;steps=40");
             spec.threads = 1 + 2 * k;
             CU_ASSERT_FATAL(run_spec(&spec, &row[k], &fault) == 0);
         }
@@ -151,13 +151,13 @@ static void test_dead_nodes(void)
     static const char *const names[] = {"gimp", "wls2"};
     for (int m = 0; m < COUNT(names); m++) {
         const Case ring = {DIM, "ring", 8, 0, 0, ""};
-        Rig r;
-        CU_ASSERT_FATAL(rig_plan(&r, &ring, names[m], CD, "traction=1"));
-        Sim *sim = rig_sim(&r);
-        CU_ASSERT_FATAL(rig_steps(&r, sim, 0, 1));
+        Fixture r;
+        CU_ASSERT_FATAL(fixture_plan(&r, &ring, names[m], CD, "traction=1"));
+        Sim *sim = fixture_sim(&r);
+        CU_ASSERT_FATAL(fixture_steps(&r, sim, 0, 1));
         CU_ASSERT_FATAL(sim->g.lo[0] >= sim->g.hi[0]);
         for (int l = 0; l < LANES; l++) sim->g.node[0][l] = NAN;
-        CU_ASSERT(rig_steps(&r, sim, 1, 20));
+        CU_ASSERT(fixture_steps(&r, sim, 1, 20));
         CU_ASSERT(isfinite(skin_work(sim->skin)));
         sim_free(sim);
     }
@@ -173,8 +173,9 @@ static void test_burst(void)
     Row row[4];
     Fault fault = {0};
     for (int k = 0; k < 3; k++) {
-        RunSpec spec = rig_spec(&burst, "wls2", NULL,
-                                k < 2 ? "then=gimp;at=rupture" : "then=gimp;at=rupture;strength=9");
+        RunSpec spec =
+            fixture_spec(&burst, "wls2", NULL,
+                         k < 2 ? "then=gimp;at=rupture" : "then=gimp;at=rupture;strength=9");
         spec.threads = 1 + 2 * (k == 1);
         spec.t_end = 0.01;
         CU_ASSERT_FATAL(run_spec(&spec, &row[k], &fault) == 0);
@@ -185,11 +186,11 @@ static void test_burst(void)
     CU_ASSERT(row[0].momentum_drift == row[1].momentum_drift);
     CHECK_CLOSE(row[0].energy_drift, 0, 0.035);
     RunSpec spec =
-        rig_spec(&weak, "gimp", NULL, "layout=radial;domain=undeformed;strength=.1;weak=1");
+        fixture_spec(&weak, "gimp", NULL, "layout=radial;domain=undeformed;strength=.1;weak=1");
     spec.t_end = 0.01;
     CU_ASSERT_FATAL(run_spec(&spec, &row[3], &fault) == 0);
     CHECK_CLOSE(row[3].energy_drift, 0, 0.025); /* -.047 without what was lost */
-    spec = rig_spec(&bar, "wls2", NULL, "then=gimp;at=.012");
+    spec = fixture_spec(&bar, "wls2", NULL, "then=gimp;at=.012");
     CU_ASSERT_FATAL(run_spec(&spec, &row[3], &fault) == 0);
     CHECK_CLOSE(row[3].energy_drift, 0, 0.02);
     CU_ASSERT(row[3].error_linf < 0.02);

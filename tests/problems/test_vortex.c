@@ -17,7 +17,7 @@ static void point(const Scene *s, int k, Vec X)
 
 static void test_balance(void)
 {
-    const Scene s = rig_bare_scene(&problem_vortex, par, 1.0 / 32);
+    const Scene s = fixture_bare_scene(&problem_vortex, par, 1.0 / 32);
     for (int k = 0; k < 40; k++) {
         Vec X, b, expected;
         point(&s, k, X);
@@ -29,7 +29,7 @@ static void test_balance(void)
 
 static void test_start(void)
 {
-    const Scene s = rig_bare_scene(&problem_vortex, par, 1.0 / 32);
+    const Scene s = fixture_bare_scene(&problem_vortex, par, 1.0 / 32);
     for (int k = 0; k < 40; k++) {
         Vec X, v, expected, u;
         Mat L, gradient, F;
@@ -44,7 +44,7 @@ static void test_start(void)
 /* No volume changes anywhere; no displacement and no traction P N on the circles. */
 static void test_free_surfaces(void)
 {
-    const Scene s = rig_bare_scene(&problem_vortex, par, 1.0 / 32);
+    const Scene s = fixture_bare_scene(&problem_vortex, par, 1.0 / 32);
     double shear = 0;
     for (int k = 0; k < 40; k++)
         for (int j = 1; j <= 3; j++) {
@@ -67,7 +67,7 @@ static void test_free_surfaces(void)
 /* The body comes back: nothing has moved at t = 1, everything at rest on the way back. */
 static void test_ends(void)
 {
-    const Scene s = rig_bare_scene(&problem_vortex, par, 1.0 / 32);
+    const Scene s = fixture_bare_scene(&problem_vortex, par, 1.0 / 32);
     for (int k = 0; k < 40; k++) {
         Vec X, u;
         point(&s, k, X);
@@ -81,7 +81,7 @@ static void test_ends(void)
 static void test_fitted_points(void)
 {
     Layout out = {0};
-    const Scene s = rig_bare_scene(&problem_vortex, par, 1.0 / 32);
+    const Scene s = fixture_bare_scene(&problem_vortex, par, 1.0 / 32);
     double area = 0;
     int surface = 0;
     CU_ASSERT_FATAL(layout_make(&out, &s, 1.0 / 64, 0, true, NULL) == 0);

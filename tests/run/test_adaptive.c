@@ -14,7 +14,7 @@ static Row run(const char *method, const char *more, double cfl, const char *his
 {
     Row row;
     Fault fault = {0};
-    RunSpec spec = rig_spec(&scenes[DIM - 1], method, "cd", more);
+    RunSpec spec = fixture_spec(&scenes[DIM - 1], method, "cd", more);
     if (cfl > 0) spec.cfl = cfl;
     spec.history = history;
     CU_ASSERT_FATAL(run_spec(&spec, &row, &fault) == 0);
@@ -27,10 +27,10 @@ static void test_steps(void)
 {
     char path[64];
     Fault fault = {0};
-    Rig r;
+    Fixture r;
     snprintf(path, sizeof path, "adaptive_%d.csv", (int)getpid());
     const Row row = run("gimp", "dt=adaptive", 0, path);
-    CU_ASSERT_FATAL(rig_plan(&r, &scenes[DIM - 1], "gimp", CD, NULL));
+    CU_ASSERT_FATAL(fixture_plan(&r, &scenes[DIM - 1], "gimp", CD, NULL));
     const double most =
         r.plan.cfl * r.plan.scene.cell / material_wave_speed_bound(&r.plan.scene.mat);
     Table *h = table_read(path, &fault);
@@ -68,12 +68,12 @@ static void test_same_error(void)
  */
 static double alternating(double odd)
 {
-    Rig r;
+    Fixture r;
     Points p;
     Samples q;
     Scratch scratch = {0};
     const Case c = {1, "sine_bar", 80, 0, 0.4, "law=linear"};
-    CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", CD, NULL));
+    CU_ASSERT_FATAL(fixture_plan(&r, &c, "gimp", CD, NULL));
     void *core = particle_solver.make(&r.plan.setup, &r.fault);
     CU_ASSERT_FATAL(core != NULL);
     double t = 0;
@@ -104,7 +104,7 @@ static void test_threads(void)
     Row row[2];
     for (int k = 0; k < 2; k++) {
         Fault fault = {0};
-        RunSpec spec = rig_spec(&scenes[DIM - 1], "gimp", "cd", "dt=adaptive;steps=20");
+        RunSpec spec = fixture_spec(&scenes[DIM - 1], "gimp", "cd", "dt=adaptive;steps=20");
         spec.threads = 1 + 2 * k;
         CU_ASSERT_FATAL(run_spec(&spec, &row[k], &fault) == 0);
     }

@@ -97,12 +97,12 @@ static double gap(const Motion *a, const Motion *b)
 enum { STEPS = IN_THIS_DIM(10, 10, 4) };
 
 /* Largest change of K + S in one of these steps. */
-static double run_up(const Rig *r, Sim *sim)
+static double run_up(const Fixture *r, Sim *sim)
 {
     double most = 0;
     for (int k = 0; k < STEPS; k++) {
         const double before = of_particles(sim).energy;
-        CU_ASSERT(rig_steps(r, sim, k, k + 1));
+        CU_ASSERT(fixture_steps(r, sim, k, k + 1));
         most = fmax(most, fabs(of_particles(sim).energy - before));
     }
     return most;
@@ -110,15 +110,15 @@ static double run_up(const Rig *r, Sim *sim)
 
 static void check_pair(const Method *first, const Method *second)
 {
-    Rig a, b;
+    Fixture a, b;
     Fault fault = {0};
     if (DIM > 2 && !first->affine && !second->affine && first != second) return; /* for time */
-    if (!rig_plan(&a, &scenes[DIM - 1], first->info.name, CD, NULL)) return;
-    if (!rig_plan(&b, &scenes[DIM - 1], second->info.name, CD,
-                  a.plan.setup.fitted ? "layout=radial" : "layout=cartesian"))
+    if (!fixture_plan(&a, &scenes[DIM - 1], first->info.name, CD, NULL)) return;
+    if (!fixture_plan(&b, &scenes[DIM - 1], second->info.name, CD,
+                      a.plan.setup.fitted ? "layout=radial" : "layout=cartesian"))
         return;
     if (first->frame == FRAME_TOTAL || second->frame == FRAME_TOTAL) return; /* refused */
-    Sim *from = rig_sim(&a), *to = rig_sim(&b);
+    Sim *from = fixture_sim(&a), *to = fixture_sim(&b);
     const double step = run_up(&a, from);
     const Motion before = of_method(from);
     const double energy = of_particles(from).energy;
@@ -129,7 +129,7 @@ static void check_pair(const Method *first, const Method *second)
     CHECK_CLOSE(gap(&before, &after), 0, 1e-12);
     CU_ASSERT(before.size > 0 && step > 0);
     CU_ASSERT(turned || fabs(particles.energy - energy) <= step);
-    CU_ASSERT(rig_steps(&b, to, STEPS, 2 * STEPS) || tents);
+    CU_ASSERT(fixture_steps(&b, to, STEPS, 2 * STEPS) || tents);
     sim_free(from);
     sim_free(to);
 }

@@ -44,7 +44,7 @@ static const struct {
 /* External work is weight times the drop of the particles, whatever they call their velocity. */
 static void check_fall(int k, const char *method, const char *integrator)
 {
-    RunSpec spec = rig_spec(&falls[k].scene, method, integrator, NULL);
+    RunSpec spec = fixture_spec(&falls[k].scene, method, integrator, NULL);
     Row row;
     spec.history = files[0];
     spec.particles = files[1];
@@ -81,8 +81,8 @@ static void test_starts(void)
         {2, "cantilever", 4, 4, 0, NULL}};
     for (int k = 0; k < COUNT(starts); k++) FOR_INTEGRATORS(i)
     for (int m = 0; m < 3 && starts[k].dim == DIM; m++) {
-        RunSpec spec = rig_spec(&starts[k], (const char *[]){"gimp", "apic", "fem"}[m],
-                                step_integrators[i].name, "stop_growth=1;steps=30");
+        RunSpec spec = fixture_spec(&starts[k], (const char *[]){"gimp", "apic", "fem"}[m],
+                                    step_integrators[i].name, "stop_growth=1;steps=30");
         Row row;
         if (!run(&spec, &row)) continue;
         CHECK_TEXT(row.status, "ok");
@@ -120,8 +120,8 @@ static void test_growth(void)
     const Case c = {DIM, "free_block", 4, 0, 0, NULL};
     FOR_INTEGRATORS(i)
     for (int k = 0; k < COUNT(factors); k++) {
-        Rig r;
-        CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", i, NULL));
+        Fixture r;
+        CU_ASSERT_FATAL(fixture_plan(&r, &c, "gimp", i, NULL));
         Loop l = {.plan = &r.plan, .self = particle_solver.make(&r.plan.setup, &r.fault)};
         CU_ASSERT_PTR_NOT_NULL_FATAL(l.self);
         check_growth(&l, factors[k]);
@@ -133,7 +133,7 @@ static void test_growth(void)
 static void test_real_growth(void)
 {
     const Case c = {2, "vortex", 8, 4, 0, "stop_growth=1"};
-    RunSpec spec = rig_spec(&c, "ge_wls", "cd", NULL);
+    RunSpec spec = fixture_spec(&c, "ge_wls", "cd", NULL);
     Row row;
     if (DIM != 2) return;
     CU_ASSERT_FATAL(run(&spec, &row));
@@ -164,7 +164,7 @@ static const struct {
 static void test_nothing(void)
 {
     for (int k = 0; k < COUNT(nothings); k++) {
-        RunSpec spec = rig_spec(&nothings[k].scene, nothings[k].method, NULL, NULL);
+        RunSpec spec = fixture_spec(&nothings[k].scene, nothings[k].method, NULL, NULL);
         Row row;
         if (nothings[k].scene.dim != DIM) continue;
         CU_ASSERT_FATAL(run(&spec, &row));
@@ -182,7 +182,7 @@ static Table *positions(const Case *c, const char *integrator, double steps, con
     char set[32];
     Row row;
     snprintf(set, sizeof set, "steps=%.0f", steps);
-    RunSpec spec = rig_spec(c, NULL, integrator, steps > 0 ? set : NULL);
+    RunSpec spec = fixture_spec(c, NULL, integrator, steps > 0 ? set : NULL);
     spec.particles = files[0];
     spec.errors = errors;
     CU_ASSERT_FATAL(run(&spec, &row));
@@ -193,12 +193,12 @@ static Table *positions(const Case *c, const char *integrator, double steps, con
  * moved the particles (most do), else the one before (USF strains them first). */
 static void check_failed(const Case *c, const char *integrator, bool moves)
 {
-    RunSpec spec = rig_spec(c, NULL, integrator, NULL);
+    RunSpec spec = fixture_spec(c, NULL, integrator, NULL);
     Plan plan;
     Row row;
     Fault fault;
     CU_ASSERT_FATAL(plan_make(&spec, &plan, &fault) == 0);
-    spec = rig_spec(c, NULL, integrator, NULL);
+    spec = fixture_spec(c, NULL, integrator, NULL);
     CU_ASSERT_FATAL(run(&spec, &row));
     CHECK_TEXT(row.status, "inverted");
     CU_ASSERT_FATAL(row.steps > 0);

@@ -33,13 +33,13 @@ static void fill(Set *s)
     s->samples = (Samples){.n = N, .V0 = weight};
     for (int p = 0; p < N; p++) {
         for (int d = 0; d < DIM; d++) {
-            s->X[d][p] = rig_random(-1, 1);
-            s->x[d][p] = p < REAL ? rig_random(-1, 1) : 1e3;
-            s->v[d][p] = p < REAL ? rig_random(-1, 1) : 1e3;
+            s->X[d][p] = fixture_random(-1, 1);
+            s->x[d][p] = p < REAL ? fixture_random(-1, 1) : 1e3;
+            s->v[d][p] = p < REAL ? fixture_random(-1, 1) : 1e3;
             s->points.X[d] = s->X[d], s->points.x[d] = s->x[d], s->points.v[d] = s->v[d];
         }
         for (int k = 0; k < NMAT; k++) {
-            s->F[k][p] = (k % (DIM + 1) == 0) + (p < REAL ? rig_random(-0.3, 0.3) : 9);
+            s->F[k][p] = (k % (DIM + 1) == 0) + (p < REAL ? fixture_random(-0.3, 0.3) : 9);
             s->samples.F[k] = s->F[k];
         }
     }
@@ -139,8 +139,8 @@ static void test_blocks(void)
     double kinetic = 0, px = 0;
     for (int d = 0; d < DIM; d++) q.v[d] = v[d];
     for (int k = 0; k < MANY; k++) {
-        m[k] = rig_random(0, 1);
-        for (int d = 0; d < DIM; d++) v[d][k] = rig_random(-1, 1);
+        m[k] = fixture_random(0, 1);
+        for (int d = 0; d < DIM; d++) v[d][k] = fixture_random(-1, 1);
         px += m[k] * v[0][k];
         for (int d = 0; d < DIM; d++) kinetic += 0.5 * m[k] * v[d][k] * v[d][k];
     }
@@ -226,9 +226,9 @@ static void check_file(const State *now, const char *path)
 static void test_von_mises(void)
 {
     const Case c = {DIM, "free_block", 8, 0, 0, NULL};
-    Rig r;
+    Fixture r;
     State now;
-    CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", CD, NULL));
+    CU_ASSERT_FATAL(fixture_plan(&r, &c, "gimp", CD, NULL));
     void *core = particle_solver.make(&r.plan.setup, &r.fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(core);
     for (int k = 0; k < 20; k++)
@@ -272,7 +272,7 @@ static void test_thread_rows(void)
         Fault fault;
         char a[ROW_TEXT], b[ROW_TEXT];
         RunSpec spec =
-            rig_spec(&blocks[DIM - 1], (*m)->info.name, NULL, DIM < 3 ? "steps=20" : "steps=8");
+            fixture_spec(&blocks[DIM - 1], (*m)->info.name, NULL, DIM < 3 ? "steps=20" : "steps=8");
         CU_ASSERT_FATAL(run_spec(&spec, &one, &fault) == 0);
         spec.threads = 3;
         CU_ASSERT_FATAL(run_spec(&spec, &many, &fault) == 0);

@@ -83,7 +83,8 @@ static void test_probe_columns(void)
         Table *h, *p;
         const Files files = name_files();
         if (DIM == 1 && m == 2) continue;
-        RunSpec spec = rig_spec(&scene, names[m], "cd", DIM == 1 ? "steps=7" : "spin=1;steps=7");
+        RunSpec spec =
+            fixture_spec(&scene, names[m], "cd", DIM == 1 ? "steps=7" : "spin=1;steps=7");
         for (int k = 0; k < 2; k++) {
             const double *x = DIM == 1 ? at[k] : more[k];
             add_probe(&spec, x[0], x[1], x[2]);
@@ -108,7 +109,7 @@ static void test_reactions(void)
         Table *h, *p;
         const Files files = name_files();
         if (DIM == 1 && strcmp(names[m], "fem") == 0) continue;
-        RunSpec spec = rig_spec(&scene, names[m], NULL, "steps=60");
+        RunSpec spec = fixture_spec(&scene, names[m], NULL, "steps=60");
         run_files(&spec, &files, &h, &p);
         const double dt = table_number(h, 0, "dt"), weight = DIM == 1 ? 100 : 50;
         double worst = 0, most = 0;
@@ -133,7 +134,7 @@ static void test_refused(void)
     for (int k = 0; k < 3; k++) {
         Plan plan;
         Fault fault = {0};
-        RunSpec spec = rig_spec(&scene, "gimp", NULL, NULL);
+        RunSpec spec = fixture_spec(&scene, "gimp", NULL, NULL);
         spec.history = "h.csv";
         add_probe(&spec, k == 1 ? 9 : 1.2, 1.5, 1.5);
         if (k == 2) spec.probe[0].axes = DIM - 1;

@@ -14,7 +14,7 @@ static Row run(const RunSpec *spec)
 }
 
 /* The status that a particle's own state calls for. */
-static StatusCode verdict(const Rig *r, const double *s, int n, int k)
+static StatusCode verdict(const Fixture *r, const double *s, int n, int k)
 {
     const Scene *scene = &r->plan.scene;
     Mat F;
@@ -40,16 +40,16 @@ static const struct {
 
 /* Steps until something is wrong: the lowest id with a fault is named, and no step before had one.
  */
-static int step_to_end(Rig *r, StatusCode code, Status *end)
+static int step_to_end(Fixture *r, StatusCode code, Status *end)
 {
-    Sim *sim = rig_sim(r);
+    Sim *sim = fixture_sim(r);
     const int n = sim->p.count;
     int step = 0;
     do {
         *end = sim_step(sim, step * r->dt, r->dt, step == 0);
         step++;
     } while (end->code == OK && step < 500);
-    double *s = rig_state(sim);
+    double *s = fixture_state(sim);
     int lowest = 0;
     while (lowest < n && verdict(r, s, n, lowest) == OK) lowest++;
     CU_ASSERT(end->code == code);
@@ -65,13 +65,13 @@ static int step_to_end(Rig *r, StatusCode code, Status *end)
 static void test_ends(void)
 {
     for (int k = 0; k < COUNT(ends); k++) {
-        Rig r;
+        Fixture r;
         Status end;
         char start[64], particle[32];
         if (ends[k].scene.dim != DIM) continue;
-        CU_ASSERT_FATAL(rig_plan(&r, &ends[k].scene, "gimp", CD, NULL));
+        CU_ASSERT_FATAL(fixture_plan(&r, &ends[k].scene, "gimp", CD, NULL));
         const int step = step_to_end(&r, ends[k].code, &end);
-        RunSpec spec = rig_spec(&ends[k].scene, "gimp", "cd", NULL);
+        RunSpec spec = fixture_spec(&ends[k].scene, "gimp", "cd", NULL);
         spec.t_end = 500 * r.dt;
         const Row row = run(&spec);
         CHECK_TEXT(row.status, ends[k].name);
@@ -89,15 +89,15 @@ static void test_nan(void)
     FOR_METHODS(m)
     {
         const Case c = {DIM, "free_block", 12, 0, 0, NULL};
-        Rig r;
-        CU_ASSERT_FATAL(rig_plan(&r, &c, (*m)->info.name, CD, NULL));
-        Sim *sim = rig_sim(&r);
-        CU_ASSERT_FATAL(rig_steps(&r, sim, 0, 2));
+        Fixture r;
+        CU_ASSERT_FATAL(fixture_plan(&r, &c, (*m)->info.name, CD, NULL));
+        Sim *sim = fixture_sim(&r);
+        CU_ASSERT_FATAL(fixture_steps(&r, sim, 0, 2));
         const int n = sim->p.count;
         for (int s = 0; s < sim->p.n; s++)
             if (sim->p.id[s] == n / 2) sim->p.field[AT_V][s] = NAN;
         const Status end = sim_step(sim, 0, r.dt, false);
-        double *s = rig_state(sim);
+        double *s = fixture_state(sim);
         int lowest = 0;
         while (lowest < n && verdict(&r, s, n, lowest) == OK) lowest++;
         CU_ASSERT(end.code == NOT_A_NUMBER && end.point == lowest && lowest < n / 2);
@@ -122,11 +122,11 @@ static void test_padding(void)
     const Case walls[] = {{1, "sine_bar", 8, 2, 0.4, "A=.05"}, {2, "axis_mms", 7, 4, 0.4, "A=.05"}};
     FOR_METHODS(m)
     {
-        Rig r;
+        Fixture r;
         if (DIM > 2) continue;
-        CU_ASSERT_FATAL(rig_plan(&r, &walls[DIM - 1], (*m)->info.name, CD, "allow_unstable=1"));
-        Sim *sim = rig_sim(&r);
-        CU_ASSERT(rig_steps(&r, sim, 0, 100));
+        CU_ASSERT_FATAL(fixture_plan(&r, &walls[DIM - 1], (*m)->info.name, CD, "allow_unstable=1"));
+        Sim *sim = fixture_sim(&r);
+        CU_ASSERT(fixture_steps(&r, sim, 0, 100));
         CU_ASSERT(sim->p.n > sim->p.count);
         check_padding(sim);
         sim_free(sim);
@@ -139,19 +139,19 @@ static void test_after(void)
     const Case c = {DIM, "free_block", IN_THIS_DIM(8, 8, 4), 0, 0, "drift=10;box=1"};
     FOR_METHODS(m) FOR_INTEGRATORS(i)
     {
-        Rig r;
+        Fixture r;
         int steps = 0;
-        CU_ASSERT_FATAL(rig_plan(&r, &c, (*m)->info.name, i, "allow_unstable=1"));
-        Sim *sim = rig_sim(&r);
+        CU_ASSERT_FATAL(fixture_plan(&r, &c, (*m)->info.name, i, "allow_unstable=1"));
+        Sim *sim = fixture_sim(&r);
         while (sim_step(sim, 0, r.dt, false).code == OK && steps < 500) steps++;
         const Status end = sim->status;
-        double *before = rig_state(sim);
+        double *before = fixture_state(sim);
         for (int k = 0; k < 3; k++) {
             const Status again = sim_step(sim, 0, r.dt, k == 0);
             CU_ASSERT(again.code == end.code && again.point == end.point && end.code != OK);
             CU_ASSERT(sim_project(sim).code == end.code);
         }
-        double *after = rig_state(sim);
+        double *after = fixture_state(sim);
         CU_ASSERT(memcmp(before, after, sizeof(double) * (size_t)(FIELDS * sim->p.count)) == 0);
         free(before), free(after), sim_free(sim);
     }
@@ -178,10 +178,10 @@ static void test_bad_start(void)
     static const Problem away = {.cfl = 0.1, .init = unit_box, .start = far_away};
     FOR_METHODS(m)
     {
-        Rig r;
-        rig_scene(&r, &away, *m, CD, 8, 1);
+        Fixture r;
+        fixture_scene(&r, &away, *m, CD, 8, 1);
         if (DIM == 1) r.plan.setup.count = 8;
-        Sim *sim = rig_sim(&r);
+        Sim *sim = fixture_sim(&r);
         const Status end = sim_step(sim, 0, r.dt, true);
         CU_ASSERT(end.code == LEFT_GRID && end.point == sim->p.count / 2);
         CU_ASSERT(sim_project(sim).code == LEFT_GRID);
@@ -203,8 +203,8 @@ static void test_reasons(void)
          "step 5 t=0.5 particle 3 and all others: no node under them has mass"},
         {OK, "energy_growth", "step 2 t=0.2 energy 5 % above its start; fastest particle 9 v=6"}};
     const Case c = {DIM, "free_block", 8, 0, 0, NULL};
-    Rig r;
-    CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", CD, NULL));
+    Fixture r;
+    CU_ASSERT_FATAL(fixture_plan(&r, &c, "gimp", CD, NULL));
     for (int k = 0; k < COUNT(told); k++) {
         Row row = row_empty();
         const Loop l = {.plan = &r.plan,
@@ -241,10 +241,10 @@ static void test_empty(void)
 {
     FOR_METHODS(m) for (int k = 0; k < COUNT(empty); k++)
     {
-        Rig r;
+        Fixture r;
         Points points;
         Samples samples;
-        rig_scene(&r, &empty[k], *m, CD, 8, 1);
+        fixture_scene(&r, &empty[k], *m, CD, 8, 1);
         void *core = particle_solver.make(&r.plan.setup, &r.fault);
         CU_ASSERT_PTR_NOT_NULL_FATAL(core);
         const Status end = particle_solver.step(core, 0, r.dt, true);
@@ -260,8 +260,8 @@ static void test_empty(void)
 static void test_too_large(void)
 {
     const Case c = {DIM, "free_block", DIM == 1 ? 9e7 : 1e6, DIM < 3 ? 4 : 8, 0, "box=1000"};
-    Rig r;
-    CU_ASSERT_FATAL(rig_plan(&r, &c, "gimp", CD, NULL));
+    Fixture r;
+    CU_ASSERT_FATAL(fixture_plan(&r, &c, "gimp", CD, NULL));
     CU_ASSERT_PTR_NULL(sim_new(&r.plan.setup, &r.fault));
     CU_ASSERT(r.fault.code == FAULT_MACHINE);
     CU_ASSERT_PTR_NOT_NULL(strstr(r.fault.text, "GB"));

@@ -23,11 +23,4 @@ static void check(Check *c, const Results *r)
           curve_mean_ratio(&ge, &gimp, MESHES), 0.2, 1);
 }
 
-const Study study_t_90_free_bar = {
-    .name = "t_90_free_bar",
-    .figure = "T-90",
-    .about = "free bar: convergence of GIMP and GE-GIMP",
-    .cases = cases,
-    .check = check,
-    .claims = 2,
-};
+const StudyPage study_t_90_free_bar = {.cases = cases, .check = check, .claims = 2};

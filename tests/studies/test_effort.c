@@ -96,7 +96,7 @@ static void thrice(const Results *r)
     effort_tables(r, 3);
 }
 
-static const Study page = {.name = "e", .tables = thrice};
+static const Study page = {.name = "e", .page = &(StudyPage){.tables = thrice}};
 
 /* Three repeats of three cases: the cheapest counts, the median stands beside it. Case 2 costs more
  * and errs more than case 1. */

@@ -78,15 +78,16 @@ static void change_table(const char *path, const Change *by)
 typedef struct Trial {
     const Study *study;
     Cases cases;
-    unsigned *seen; /* verdicts [study->claims], a bit each */
+    unsigned *seen; /* verdicts [study->page->claims], a bit each */
 } Trial;
 
 static void judge(Trial *t, bool tables)
 {
     Check c = {0};
     Fault fault = {0};
-    if (tables && t->study->tables) results_tables(t->study, dir, false, &fault);
-    CU_ASSERT_FATAL(claims_judge_study(&c, t->study, dir, &fault) == 0 && c.n == t->study->claims);
+    if (tables && t->study->page->tables) results_tables(t->study, dir, false, &fault);
+    CU_ASSERT_FATAL(claims_judge_study(&c, t->study, dir, &fault) == 0 &&
+                    c.n == t->study->page->claims);
     for (int k = 0; k < c.n; k++)
         if (c.list[k].judged) t->seen[k] |= 1U << c.list[k].verdict;
     free(c.list);
@@ -96,7 +97,7 @@ static void judge(Trial *t, bool tables)
 static void change_files(const Study *study, const Change *by)
 {
     char path[TRIAL_PATH], rows[TRIAL_PATH];
-    snprintf(rows, sizeof rows, "%s.csv", study->cases ? study->name : "");
+    snprintf(rows, sizeof rows, "%s.csv", study->page->cases ? study->name : "");
     DIR *d = opendir(dir);
     for (struct dirent *e; d && (e = readdir(d));) {
         snprintf(path, sizeof path, "%s/%.200s", dir, e->d_name);
@@ -119,7 +120,7 @@ static void try_all(Trial *t)
     for (size_t k = 0; k < sizeof changes / sizeof *changes; k++) {
         change_files(t->study, &changes[k]);
         judge(t, false);
-        if (t->study->tables) judge(t, true);
+        if (t->study->page->tables) judge(t, true);
     }
 }
 
@@ -134,12 +135,12 @@ static void test_ranges(void)
 {
     mkdir("scratch", 0777);
     mkdir(dir, 0777);
-    for (const Study *const *s = studies; *s; s++) {
-        Trial t = {.study = *s, .seen = calloc((size_t)(*s)->claims + 1, sizeof(unsigned))};
-        CU_ASSERT_FATAL(t.seen && cases_build(&t.cases, *s, false, NULL, dir, NULL) == 0);
-        if ((*s)->check && (*s)->claims > 0) try_all(&t);
+    for (const Study *s = studies; s->name; s++) {
+        Trial t = {.study = s, .seen = calloc((size_t)s->page->claims + 1, sizeof(unsigned))};
+        CU_ASSERT_FATAL(t.seen && cases_build(&t.cases, s, false, NULL, dir, NULL) == 0);
+        if (s->page->check && s->page->claims > 0) try_all(&t);
         Check c = {0};
-        if ((*s)->check) claims_judge_study(&c, *s, dir, NULL);
+        if (s->page->check) claims_judge_study(&c, s, dir, NULL);
         for (int k = 0; k < c.n; k++) {
             const bool wrong = !can_fail(t.seen[k]) && !trial_is_one(c.list[k].id, formulas);
             if (wrong) printf("%s: no change makes it fail\n", c.list[k].id);

@@ -103,11 +103,10 @@ static void test_unknown(void)
 
 static void test_words(void)
 {
-    char word[WORD_TEXT];
     const char *rest = " gimp  wls";
-    CU_ASSERT(select_word(&rest, word) && strcmp(word, "gimp") == 0);
-    CU_ASSERT(select_word(&rest, word) && strcmp(word, "wls") == 0);
-    CU_ASSERT(!select_word(&rest, word));
+    CHECK_TEXT(select_word(&rest), "gimp");
+    CHECK_TEXT(select_word(&rest), "wls");
+    CU_ASSERT_PTR_NULL(select_word(&rest));
 }
 
 /* Every method has a colour of its own, however many there will be. */

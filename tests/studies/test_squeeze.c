@@ -13,7 +13,7 @@ static void squeezes(Cases *list, bool quick)
 /* 10 to 200 particles, 5 or 125 apart. */
 static void test_squeezes(void)
 {
-    const Study page = {.name = "squeezes", .cases = squeezes};
+    const Study page = {.name = "squeezes", .page = &(StudyPage){.cases = squeezes}};
     Cases list;
     CU_ASSERT_FATAL(cases_build(&list, &page, false, NULL, "scratch", NULL) == 0);
     CU_ASSERT(list.n == 39);

@@ -39,8 +39,8 @@ static void check(Check *c, const Results *r)
     claim_note(c, "a-note", .1);
 }
 
-static const Study tiny = {
-    .name = "tiny", .figure = "T", .about = "a test", .cases = cases, .check = check, .claims = 8};
+static const StudyPage tiny_page = {.cases = cases, .check = check, .claims = 8};
+static const Study tiny = {"tiny", "T", "a test", &tiny_page, NULL, NULL};
 static const StudyOptions options = {.dir = dir, .jobs = 2};
 
 static void test_verdicts(void)
@@ -114,8 +114,8 @@ static void test_refine(void)
 {
     const char rows[] = "scratch/study/refined.rows";
     char reason[128];
-    const Study page = {
-        .name = "refined", .figure = "T", .cases = first_case, .refine = next_case, .about = ""};
+    const StudyPage work = {.cases = first_case, .refine = next_case};
+    const Study page = {"refined", "T", "", &work, NULL, NULL};
     CU_ASSERT_FATAL(run_study(&page, &options, NULL) == 0);
     const off_t length = size_of(rows);
     Table *t = table_read("scratch/study/refined.csv", NULL);
@@ -123,8 +123,8 @@ static void test_refine(void)
     table_free(t);
     CU_ASSERT(run_study(&page, &options, NULL) == 0 && size_of(rows) == length);
     CU_ASSERT(sidecar_is_current(&page, dir, reason));
-    const Study other = {
-        .name = "refined", .figure = "T", .cases = cases, .refine = next_case, .about = ""};
+    const StudyPage others = {.cases = cases, .refine = next_case};
+    const Study other = {"refined", "T", "", &others, NULL, NULL};
     CU_ASSERT(!sidecar_is_current(&other, dir, reason));
 }
 
@@ -142,11 +142,12 @@ static void wrong_kind(Cases *list, bool quick)
 
 static void test_wrong_pages(void)
 {
-    Study page = {.name = "wrong", .cases = wrong_run};
+    StudyPage work = {.cases = wrong_run};
+    const Study page = {.name = "wrong", .page = &work};
     Fault f = {0};
     CU_ASSERT(run_study(&page, &options, &f) == FAULT_USAGE);
     CU_ASSERT(strstr(f.text, "study wrong") && strstr(f.text, "'-1'"));
-    page.cases = wrong_kind;
+    work.cases = wrong_kind;
     CU_ASSERT(run_study(&page, &options, &f) == FAULT_USAGE && strstr(f.text, "'histories'"));
     CU_ASSERT(size_of("scratch/study/wrong.csv") == -1);
 }
@@ -167,8 +168,7 @@ static Table *table_of(const char *text)
 
 static void test_curves(void)
 {
-    static const double printed[][3] = {{1, 8, 1}, {2, 2.5, 0.5}, {4, 1, 10}};
-    static const double absent[][3] = {{1, 8, 1}, {3, 1, 1}};
+    static const double printed[] = {8, 2.5, 1};
     Table *t = table_of("m,x,y\na,1,8.4\na,2,2\nb,2,99\na,4,1\n");
     Curve c;
     curve_pick(&c, t, "x", "y", "m=%s", "a");
@@ -179,9 +179,10 @@ static void test_curves(void)
     CHECK_CLOSE(curve_settles(&c, 2, 3).value, 2, 0);
     CHECK_CLOSE(curve_settles(&c, 10, 3).value, 1, 0);
     CU_ASSERT(isnan(curve_settles(&c, 0.5, 3).value));
-    CHECK_CLOSE(curve_deviation(&c, 3, printed).value, 0.1, 1e-15); /* .05, .2 half, 0 */
-    CU_ASSERT(isnan(curve_deviation(&c, 2, absent).value));
-    CU_ASSERT(curve_deviation(&c, 2, absent).rows == 1);
+    CHECK_CLOSE(curve_deviation(&c, 1, 3, printed, 10).value, 0.2, 1e-15); /* .05, .2, 0 */
+    CHECK_CLOSE(curve_deviation(&c, 1, 2, printed, 0.5).value, 0.1, 1e-15);
+    CU_ASSERT(isnan(curve_deviation(&c, 2, 3, printed, 1).value)); /* none at x = 8 */
+    CU_ASSERT(curve_deviation(&c, 2, 3, printed, 1).rows == 2);
     CHECK_CLOSE(select_value(t, "y", "m=b x=%d", 2).value, 99, 0);
     CU_ASSERT(isnan(select_value(t, "y", "m=c").value) && select_value(t, "y", "m=c").rows == 0);
     table_free(t);
@@ -233,13 +234,14 @@ static void one_claim(Check *c, const Results *r)
  * a fault. */
 static void test_declared(void)
 {
-    Study page = {.name = "tiny", .figure = "T", .about = "", .check = one_claim, .claims = 1};
+    StudyPage work = {.check = one_claim, .claims = 1};
+    const Study page = {"tiny", "T", "", &work, NULL, NULL};
     Check c = {0};
     Fault f = {0};
     CU_ASSERT_FATAL(claims_judge_study(&c, &page, dir, &f) == 0 && c.n == 1);
     CU_ASSERT(c.list[0].verdict == FAIL);
     CU_ASSERT_PTR_NOT_NULL(strstr(c.list[0].reason, "tiny.absent.csv"));
-    page.claims = 2;
+    work.claims = 2;
     CU_ASSERT(claims_judge_study(&c, &page, dir, &f) == FAULT_MACHINE);
     CU_ASSERT_PTR_NOT_NULL(strstr(f.text, "makes 1 claims, declares 2"));
     free(c.list);

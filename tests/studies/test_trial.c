@@ -127,12 +127,12 @@ static Check judge(const Trial *t, bool again)
 {
     Check c = {0};
     Fault fault = {0};
-    if (again && t->study->tables) results_tables(t->study, dir, false, &fault);
+    if (again && t->study->page->tables) results_tables(t->study, dir, false, &fault);
     if (claims_judge_study(&c, t->study, dir, &fault)) {
         printf("%s: %s\n", t->study->name, fault.text);
         CU_FAIL("claims are not made");
     }
-    CU_ASSERT(c.n == t->study->claims);
+    CU_ASSERT(c.n == t->study->page->claims);
     return c;
 }
 
@@ -167,7 +167,7 @@ static void expect_none(Check *check, const char *what, const char *const may[])
 static void check_empty(Trial *t)
 {
     make(t);
-    if (t->study->tables) results_tables(t->study, dir, false, NULL);
+    if (t->study->page->tables) results_tables(t->study, dir, false, NULL);
     trial_empty(dir);
     Check c = judge(t, false);
     for (int k = 0; k < c.n; k++) {
@@ -249,10 +249,10 @@ static void each_study(void (*act)(Trial *t), bool whole)
 {
     mkdir("scratch", 0777);
     mkdir(dir, 0777);
-    for (const Study *const *s = studies; *s; s++) {
-        Trial t = {.study = *s};
-        if (!(*s)->check || (*s)->claims == 0) continue;
-        CU_ASSERT_FATAL(cases_build(&t.cases, *s, false, NULL, dir, NULL) == 0);
+    for (const Study *s = studies; s->name; s++) {
+        Trial t = {.study = s};
+        if (!s->page->check || s->page->claims == 0) continue;
+        CU_ASSERT_FATAL(cases_build(&t.cases, s, false, NULL, dir, NULL) == 0);
         if (whole) check_whole(&t);
         act(&t);
         free(t.whole.list);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # bench.sh: the speed of the step loop, from one run of this machine: ns per particle-step (best and median
-# CPU time of interleaved rounds), instructions (callgrind, AVX2 build), ratios to the textbook twin, two bare loops
-# (whole) and the machine's own bounds, empty space, threads. Writes OUT/t_03_speed.csv and prints it as a table; then
+# CPU time of interleaved rounds), instructions (callgrind, AVX2 build), ratios to the textbook code, two bare loops
+# (whole runs) and the machine's own bounds, empty space, threads. Writes OUT/t_03_speed.csv and prints it as a table; then
 # growth with the number of particles (OUT/t_03_growth.csv), and what is slower than in the bench that was accepted last
 # on this processor (tests/data/bench; ACCEPT=1 puts this one there).
 #   BUILD=build OUT=build/out ROUNDS=7 tests/tools/bench.sh
@@ -13,7 +13,7 @@ trap 'rm -rf "$work"' EXIT
 mkdir -p "$OUT" || exit 1
 
 mapfile -t methods < <("$lab" list methods | awk -F'\t' '$3 ~ /2/ && $2 != "fem" { print $2 }')
-# name, run: particles cost what their method costs; the step counts keep a run near half a second
+# NAME|RUN; the numbers of steps make each run last about half a second
 cases=()
 for m in "${methods[@]}"; do cases+=("$m|free_block --method $m --set steps=40"); done
 cases+=("mpm-cd|free_block --method mpm --integrator cd --set steps=40"
@@ -23,7 +23,7 @@ cases+=("mpm-cd|free_block --method mpm --integrator cd --set steps=40"
     "gimp-1d|free_block --cells 16384 --set dim=1 --set steps=40"
     "fem-elements|ring --method fem --cells 128 --set steps=100"
     "fem-3d|shell --method fem --cells 16 --set steps=60")
-for m in gimp ge_gimp apic wls wls2 ge_wls; do # in 3D: 28^3 cells of 8; once 2e6 particles
+for m in gimp ge_gimp apic wls wls2 ge_wls; do # in 3D: 28^3 cells of 8 particles; GIMP once with 2e6 particles
     cases+=("$m-3d|free_block --method $m --cells 28 --set dim=3 --set steps=4")
 done
 cases+=("gimp-3d-2e6|free_block --cells 63 --set dim=3 --set steps=2")
@@ -41,7 +41,7 @@ for ((round = 0; round < ROUNDS; round++)); do
             "$work/row.csv" >>"$work/$name.ns"
     done
     "$bench" twin 128 2 | awk '{ print $2, $2 }' >>"$work/twin.ns"
-    for kind in mls gimp; do # what a user would write instead, whole runs
+    for kind in mls gimp; do # as a user would write them, whole runs
         "$bench" bare $kind 128 40 >"$work/bare" || { echo "bench: the bare $kind loop is wrong" >&2; exit 1; }
         awk '$1 == "bare_ns" { print $2, $2 }' "$work/bare" >>"$work/bare-$kind.ns"
     done
