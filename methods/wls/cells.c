@@ -15,10 +15,10 @@ typedef struct Shape {
     double S[CORNERS], G[CORNERS][DIM];
 } Shape;
 
-/* The middle of a full cell, and the rows of its corners in M. */
+/* The middle of a full cell, and the rows of its corners in M; 1 and x of a cell's corners. */
 typedef struct Middle {
     Shape shape;
-    Half row[CORNERS];
+    Half row[CORNERS], place[CORNERS];
 } Middle;
 
 static inline void shape_at(const double xi[DIM], Shape *out)
@@ -52,24 +52,6 @@ static inline bool value_at(const Wls *w, const size_t corner[CORNERS], const do
     }
     if (total > 0) *out = total < 1 || total > 1 ? sum / total : sum;
     return total > 0;
-}
-
-/* The density alone. */
-static inline double density_at(const Wls *w, const size_t corner[CORNERS], const double xi[DIM],
-                                const Shape *shape)
-{
-    double sum = 0, total = 0;
-    for (int k = 0; k < CORNERS; k++) {
-        const Line *fit = w->fit[corner[k]];
-        const double S = w->good[corner[k]] ? shape->S[k] : 0;
-        if (!(S > 0)) continue;
-        double rho = fit[FIT_VALUE][Q_RHO];
-        for (int d = 0; d < DIM && w->linear; d++)
-            rho += (xi[d] - (k >> d & 1)) * fit[FIT_SLOPE + d][Q_RHO];
-        sum += S * rho;
-        total += S;
-    }
-    return total > 0 ? total < 1 || total > 1 ? sum / total : sum : 0;
 }
 
 static inline double cell_volume(const Sim *sim)
@@ -126,6 +108,33 @@ static inline void multiply_point(Wls *w, const size_t corner[CORNERS], const do
     }
 }
 
+/* Adds a point's share to M_kj of a cut cell, k >= j. */
+static inline void add_to_matrix(const Shape *shape, double mass, double M[CORNER_PAIRS])
+{
+    for (int k = 0; k < CORNERS; k++) {
+        const double own = mass * shape->S[k];
+        for (int j = 0; j <= k; j++) *M++ += own * shape->S[j];
+    }
+}
+
+/* A cut cell. Its first moments are those of M, since sum_j S_j x_j = x. */
+static inline void multiply_cut(Wls *w, const size_t corner[CORNERS], const Half place[CORNERS],
+                                const double M[CORNER_PAIRS])
+{
+    for (int k = 0; k < CORNERS; k++) {
+        Inertia *own = &w->inertia[corner[k]];
+        Half product = {0}, row = {0};
+        for (int j = 0; j < CORNERS; j++) {
+            const double entry = M[j <= k ? k * (k + 1) / 2 + j : j * (j + 1) / 2 + k];
+            product += entry * w->inertia[corner[j]].factor;
+            row += entry * place[j];
+        }
+        for (int d = 0; d < DIM; d++) row[I_FIRST + d] -= (k >> d & 1) * row[I_SUM];
+        own->product += product;
+        own->row += row;
+    }
+}
+
 /* A full cell of constant density: M is its mass times a product over the axes of 1/3 (the same
  * node) and 1/6 (the two nodes), the integrals of the tents' products. */
 static inline void multiply_full(Wls *w, const size_t corner[CORNERS], const Half row[CORNERS],
@@ -146,20 +155,6 @@ static inline void multiply_full(Wls *w, const size_t corner[CORNERS], const Hal
         w->inertia[corner[k]].product += f[k];
         w->inertia[corner[k]].row += mass / CORNERS * row[k];
     }
-}
-
-static inline void take_point(Sim *sim, const size_t corner[CORNERS], const double xi[DIM],
-                              const Shape *shape, double volume, Task task, long *lost)
-{
-    const Wls *w = wls_of(sim);
-    Line value;
-    if (task == MULTIPLY)
-        multiply_point(wls_of(sim), corner, xi, shape,
-                       density_at(w, corner, xi, shape) * volume * cell_volume(sim));
-    else if (value_at(w, corner, xi, shape, &value))
-        add_point(sim, corner, shape, value, volume);
-    else
-        *lost += 1;
 }
 
 /* A full cell has one point, in the middle; its mass is kept for the products with M. These use the
@@ -194,14 +189,24 @@ static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, c
         take_full(sim, corner, m, task, lost);
         return;
     }
+    double *M = w->inertia ? w->cut[corner[0]] : NULL;
+    if (task == MULTIPLY) {
+        multiply_cut(w, corner, m->place, M);
+        return;
+    }
     for (int k = 0; k < CORNERS; k++) {
         d[k] = w->distance[corner[k]];
         if (w->bend) bend[k] = w->bend[corner[k]];
     }
+    for (int k = 0; M && k < CORNER_PAIRS; k++) M[k] = 0;
     const int n = wls_cell_points(d, w->bend ? bend : NULL, w->quadrature, xi, weight);
     for (int q = 0; q < n; q++) {
+        Line value;
         shape_at(xi[q], &shape);
-        take_point(sim, corner, xi[q], &shape, weight[q], task, lost);
+        const bool known = value_at(w, corner, xi[q], &shape, &value);
+        if (known) add_point(sim, corner, &shape, value, weight[q]);
+        if (known && M) add_to_matrix(&shape, value[Q_RHO] * weight[q] * cell_volume(sim), M);
+        *lost += !known;
     }
 }
 
@@ -245,6 +250,11 @@ static inline void take_row(Sim *sim, int row, Task task)
     if (!wls_cell_row(g, row, &cells)) return;
     shape_at(centre, &middle.shape);
     row_lanes(centre, 2.0 / 3, middle.row);
+    for (int k = 0; k < CORNERS; k++) {
+        middle.place[k] = (Half){0};
+        middle.place[k][I_SUM] = 1;
+        for (int d = 0; d < DIM; d++) middle.place[k][I_FIRST + d] = k >> d & 1;
+    }
     for (int i = cells.lo; i < cells.hi && i + 1 < cells.hi; i++) {
         size_t corner[CORNERS];
         int mask = 0;

@@ -59,12 +59,14 @@ bool wls_make(Sim *sim)
     if (w->corrected || w->sharpened) {
         w->inertia = nodes_of(n, sizeof *w->inertia);
         w->cell_mass = nodes_of(n, sizeof *w->cell_mass);
+        w->cut = nodes_of(n, sizeof *w->cut);
         w->stops = nodes_of(n, 1);
     }
     if (w->distance_by == DISTANCE_CURVED) w->bend = nodes_of(n, sizeof *w->bend);
     w->distance = nodes_of(n, sizeof *w->distance);
     return wls_alloc(sim, w) && w->distance && (w->count || w->condition != CONDITION_COUNT) &&
-           ((w->inertia && w->cell_mass && w->stops) || !(w->corrected || w->sharpened)) &&
+           ((w->inertia && w->cell_mass && w->cut && w->stops) ||
+            !(w->corrected || w->sharpened)) &&
            (w->bend || w->distance_by != DISTANCE_CURVED);
 }
 
@@ -73,7 +75,7 @@ void wls_free(Sim *sim)
     Wls *w = wls_of(sim);
     wls_release(w);
     free(w->count), free(w->inertia), free(w->distance);
-    free(w->cell_mass), free(w->stops), free(w->bend);
+    free(w->cell_mass), free(w->cut), free(w->stops), free(w->bend);
     free(w);
 }
 

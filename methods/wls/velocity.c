@@ -20,7 +20,7 @@ void wls_velocity_start(Sim *sim, size_t at, int row, int i, unsigned held)
     int index[DIM];
     double v[DIM];
     for (int a = 0; a < DIM; a++) v[a] = w->fit[at][FIT_VALUE][Q_V + a];
-    if (!w->good[at]) {
+    if (!w->good[at] && sim->g.node[at][0] > 0) { /* without mass it has no part in M */
         wls_index_of(&sim->g, row, i, index);
         wls_velocity_at(sim, index, v);
     }

@@ -60,7 +60,12 @@ enum { MASS_LUMPED, MASS_CORRECTED };
 enum { VELOCITY_PLAIN, VELOCITY_CORRECTED };
 enum { MOTION_LAGGED, MOTION_CONSISTENT };
 
-enum { CORNERS = 1 << DIM, PAIRS = DIM * (DIM + 1) / 2, NEIGHBOURS = IN_THIS_DIM(3, 9, 27) };
+enum {
+    CORNERS = 1 << DIM,
+    PAIRS = DIM * (DIM + 1) / 2,
+    NEIGHBOURS = IN_THIS_DIM(3, 9, 27),
+    CORNER_PAIRS = CORNERS * (CORNERS + 1) / 2
+};
 
 /* Lines of a node. Before the solution: moments, then loads of all quantities times 1, r_0, r_1,
  * ...; after it the coefficients c0, c_0, c_1, ... stand where the loads were. */
@@ -124,23 +129,24 @@ typedef struct Wls {
     int distance_by, quadrature;
     double hermite; /* g^2: weight of gradients in the fit of v */
     double trigger;
-    int condition;        /* the test for spurious nodes: CONDITION_* */
-    int *count;           /* [nodes] particles whose W reaches the node; NULL: not counted */
-    double inside;        /* nodes with more beta are inside, eq 14 */
-    double surface_beta;  /* beta of a surface point: 1, less where they are denser */
-    bool centres;         /* planes are those of cells about their middle; cell k: above node k */
-    Line (*fit)[FIT];     /* [nodes] */
-    Line (*skin)[2];      /* [nodes] sums over surface points, set where `skinned` */
-    bool *skinned;        /* [nodes] */
-    Bend *bend;           /* [nodes] or NULL: all surfaces are straight */
-    Inertia *inertia;     /* [nodes] of the corrections by the mass matrix, or NULL */
-    double *cell_mass;    /* [nodes] of the full cell above a node [kg], with it */
-    double *most;         /* [nodes] largest W of any particle */
-    double *distance;     /* [nodes] [cells] from the surface, > 0 inside */
-    unsigned char *good;  /* [nodes] not 0: alpha of eqs 19-21; with SOUND: has mass, too */
-    unsigned char *stops; /* [nodes] components that a unilateral wall stops now, with it */
-    bool body;            /* some node has mass */
-    long *fallbacks;      /* [rows] of this step */
+    int condition;       /* the test for spurious nodes: CONDITION_* */
+    int *count;          /* [nodes] particles whose W reaches the node; NULL: not counted */
+    double inside;       /* nodes with more beta are inside, eq 14 */
+    double surface_beta; /* beta of a surface point: 1, less where they are denser */
+    bool centres;        /* planes are those of cells about their middle; cell k: above node k */
+    Line (*fit)[FIT];    /* [nodes] */
+    Line (*skin)[2];     /* [nodes] sums over surface points, set where `skinned` */
+    bool *skinned;       /* [nodes] */
+    Bend *bend;          /* [nodes] or NULL: all surfaces are straight */
+    Inertia *inertia;    /* [nodes] of the corrections by the mass matrix, or NULL */
+    double *cell_mass;   /* [nodes] of the full cell above a node [kg], with it */
+    double (*cut)[CORNER_PAIRS]; /* [nodes] M [kg] of the cut cell above a node, k >= j, with it */
+    double *most;                /* [nodes] largest W of any particle */
+    double *distance;            /* [nodes] [cells] from the surface, > 0 inside */
+    unsigned char *good;         /* [nodes] not 0: alpha of eqs 19-21; with SOUND: has mass, too */
+    unsigned char *stops;        /* [nodes] components that a unilateral wall stops now, with it */
+    bool body;                   /* some node has mass */
+    long *fallbacks;             /* [rows] of this step */
 } Wls;
 
 static inline Wls *wls_of(const Sim *sim)
