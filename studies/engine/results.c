@@ -240,7 +240,8 @@ static const Table *keep(const Results *r, const char *part, bool any)
     while (at > 0 && !(kept[at].name && strcmp(kept[at].name, name) == 0)) at--;
     Kept one = kept[at];
     if (!one.name || strcmp(one.name, name) != 0) {
-        Table *t = any ? file_left(r, part) : results_file(r, part);
+        const bool there = any || results_status(r, part)[0] == 'o';
+        Table *t = there ? file_left(r, part) : NULL;
         free_kept(&one);
         one = (Kept){must_text("%s", name), t ? t : no_table()};
     }
@@ -253,23 +254,13 @@ static const Table *keep(const Results *r, const char *part, bool any)
 const Table *results_run(const Results *r, const char *part, ...)
 {
     char text[256];
-<<<<<<< HEAD
-    PART_NAME(text, part);
-    return keep(r, text, false);
-=======
     PHRASE_INTO(text, part);
-    return keep(r, results_status(r, text)[0] == 'o' ? file_left(r, text) : NULL);
->>>>>>> house18b
+    return keep(r, text, false);
 }
 
 const Table *results_ended(const Results *r, const char *part, ...)
 {
     char text[256];
-<<<<<<< HEAD
-    PART_NAME(text, part);
-    return keep(r, text, true);
-=======
     PHRASE_INTO(text, part);
-    return keep(r, file_left(r, text));
->>>>>>> house18b
+    return keep(r, text, true);
 }

@@ -22,13 +22,8 @@ static void check_affine(const char *method, const char *set)
     Fixture r;
     char both[192];
     snprintf(both, sizeof both, "layout=radial;%s;%s", askew[DIM - 1], set);
-<<<<<<< HEAD
-    CU_ASSERT_FATAL(rig_plan(&r, &block, method, CD, both));
-    Sim *sim = rig_sim(&r);
-=======
-    CU_ASSERT_FATAL(fixture_plan(&r, &block, "ge_wls", CD, both));
+    CU_ASSERT_FATAL(fixture_plan(&r, &block, method, CD, both));
     Sim *sim = fixture_sim(&r);
->>>>>>> house18b
     sim_sort(sim);
     const double dx = sim->dx;
     const Particles *p = &sim->p;
@@ -77,9 +72,9 @@ static double distance_error(int cells)
     const Case c = {DIM, DIM < 3 ? "ring" : "shell", cells, 0, 0, NULL};
     double error = 0;
     int seen = 0;
-    Rig r;
-    CU_ASSERT_FATAL(rig_plan(&r, &c, "ge_wls", CD, NULL));
-    Sim *sim = rig_sim(&r);
+    Fixture r;
+    CU_ASSERT_FATAL(fixture_plan(&r, &c, "ge_wls", CD, NULL));
+    Sim *sim = fixture_sim(&r);
     sim_sort(sim);
     deposit_all(sim, 0, FORCES);
     const Grid *g = &sim->g;
@@ -111,9 +106,9 @@ static void test_curved_distances(void)
 static double surface_beta(const char *set)
 {
     double beta = 0;
-    Rig r;
-    CU_ASSERT_FATAL(rig_plan(&r, &block, "wls", CD, set));
-    Sim *sim = rig_sim(&r);
+    Fixture r;
+    CU_ASSERT_FATAL(fixture_plan(&r, &block, "wls", CD, set));
+    Sim *sim = fixture_sim(&r);
     sim_sort(sim);
     wls_deposit(sim, wls_of(sim), 0, false);
     const Grid *g = &sim->g;
