@@ -14,9 +14,9 @@ static void find_keys(Sim *sim)
     for (int d = 0; d < DIM; d++) {
         const double *x = sim->p.field[(sim->total ? AT_X0 : AT_X) + d], cells = sim->g.cells,
                      shift = sim->key_shift;
-        const int origin = sim->g.origin[d];
+        const int origin = sim->g.origin[d], n = sim->p.n;
         int *key = sim->p.key[d];
-        for (int k = 0; k < sim->p.n; k++) key[k] = (int)floor(x[k] * cells + shift) - origin;
+        for (int k = 0; k < n; k++) key[k] = (int)floor(x[k] * cells + shift) - origin;
     }
 }
 

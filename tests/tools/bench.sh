@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # bench.sh: the speed of the step loop, from one run of this machine: ns per particle-step (best and median
 # CPU time of interleaved rounds), instructions (callgrind, AVX2 build), ratios to the textbook code, two bare loops
-# (whole runs) and the machine's own bounds, empty space, threads. Writes OUT/t_03_speed.csv and prints it as a table; then
-# growth with the number of particles (OUT/t_03_growth.csv), and what is slower than in the bench that was accepted last
+# (whole runs) and the machine's own bounds, empty space, threads. Writes OUT/t_03_speed.csv and prints it as a table;
+# where the instructions of GIMP go (OUT/t_03_instructions.csv); growth with the number of particles
+# (OUT/t_03_growth.csv); and what is slower than in the bench that was accepted last
 # on this processor (tests/data/bench; ACCEPT=1 puts this one there).
 #   BUILD=build OUT=build/out ROUNDS=7 tests/tools/bench.sh
 set -u
@@ -18,7 +19,7 @@ cases=()
 for m in "${methods[@]}"; do cases+=("$m|free_block --method $m --set steps=40"); done
 cases+=("mpm-cd|free_block --method mpm --integrator cd --set steps=40"
     "gimp-1e4|free_block --cells 50 --set steps=250" "gimp-1e6|free_block --cells 512 --set steps=20"
-    "gimp-2-threads|free_block --threads 2 --set steps=40"
+    "gimp-run|free_block --set steps=400" "gimp-2-threads|free_block --threads 2 --set steps=40"
     "gimp-box-15|free_block --set box=15 --set steps=40"
     "gimp-1d|free_block --cells 16384 --set dim=1 --set steps=40"
     "fem-elements|ring --method fem --cells 128 --set steps=100"
@@ -37,13 +38,14 @@ for ((round = 0; round < ROUNDS; round++)); do
         cp "$work/row.csv" "$work/$name.row"
         awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) at[$k] = k }
             NR == 2 { n = $at["elements"] ? $at["elements"] : $at["particles"]
-                      print 1e9 * $at["cpu_s"] / (n * $at["steps"]), 1e9 * $at["wall_s"] / (n * $at["steps"]) }' \
+                      n *= $at["steps"] / 1e9
+                      print $at["cpu_s"] / n, $at["wall_s"] / n, $at["wall_run_s"] / n }' \
             "$work/row.csv" >>"$work/$name.ns"
     done
-    "$bench" twin 128 2 | awk '{ print $2, $2 }' >>"$work/twin.ns"
+    "$bench" twin 128 2 | awk '{ print $2, $2, $2 }' >>"$work/twin.ns"
     for kind in mls gimp; do # as a user would write them, whole runs
         "$bench" bare $kind 128 40 >"$work/bare" || { echo "bench: the bare $kind loop is wrong" >&2; exit 1; }
-        awk '$1 == "bare_ns" { print $2, $2 }' "$work/bare" >>"$work/bare-$kind.ns"
+        awk '$1 == "bare_ns" { print $2, $2, $2 }' "$work/bare" >>"$work/bare-$kind.ns"
     done
     [ -t 2 ] && printf '\rbench: round %d of %d' $((round + 1)) "$ROUNDS" >&2
 done
@@ -66,7 +68,7 @@ value() { awk -v name="$1" '$1 == name { print $2 }' "$work/machine"; }
 twin=$(sort -g "$work/twin.ns" | awk 'NR == 1 { print $1 }')
 gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
 {
-    echo "case,particles,ns_best,ns_median,wall_best,instructions_avx2,ratio_to_gimp,ratio_to_twin,integrator"
+    echo "case,particles,ns_best,ns_median,wall_best,instructions_avx2,ratio_to_gimp,ratio_to_twin,integrator,whole_best"
     for c in "${cases[@]}" "twin|" "bare-mls|" "bare-gimp|"; do
         name=${c%%|*} n=65536 count='' integrator=-
         if [ "${c#*|}" != "" ]; then
@@ -76,17 +78,51 @@ gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
         case "$name" in gimp-* | *-3d | fem-* | twin | bare-*) ;; *) count=$(instructions "${c#*|} --set steps=4") ;; esac
         sort -g "$work/$name.ns" | awk -v name="$name" -v n="$n" -v count="$count" -v gimp="$gimp" -v twin="$twin" \
             -v integrator="$integrator" '
-            { cpu[NR] = $1; if (NR == 1 || $2 < wall) wall = $2 }
-            END { printf "%s,%d,%.4g,%.4g,%.4g,%s,%.4g,%.4g,%s\n", name, n, cpu[1], cpu[int((NR + 1) / 2)], wall, count,
-                  cpu[1] / gimp, cpu[1] / twin, integrator }'
+            { cpu[NR] = $1; if (NR == 1 || $2 < wall) wall = $2; if (NR == 1 || $3 < whole) whole = $3 }
+            END { printf "%s,%d,%.4g,%.4g,%.4g,%s,%.4g,%.4g,%s,%.4g\n", name, n, cpu[1], cpu[int((NR + 1) / 2)], wall,
+                  count, cpu[1] / gimp, cpu[1] / twin, integrator, whole }'
     done
     # what the machine could do at best: about 500 flops and 350 bytes a particle-step of GIMP in 2D
     awk -v fma="$(value fma_gflops)" -v gbs="$(value copy_gbs)" -v gimp="$gimp" -v twin="$twin" 'BEGIN {
-        printf "bound-flops,65536,%.4g,,,,%.4g,%.4g,-\n", 500 / fma, 500 / fma / gimp, 500 / fma / twin
-        printf "bound-bytes,65536,%.4g,,,,%.4g,%.4g,-\n", 350 / gbs, 350 / gbs / gimp, 350 / gbs / twin }'
+        printf "bound-flops,65536,%.4g,,,,%.4g,%.4g,-,\n", 500 / fma, 500 / fma / gimp, 500 / fma / twin
+        printf "bound-bytes,65536,%.4g,,,,%.4g,%.4g,-,\n", 350 / gbs, 350 / gbs / gimp, 350 / gbs / twin }'
 } >"$work/t_03_speed.csv"
 mv "$work/t_03_speed.csv" "$OUT/t_03_speed.csv" || exit 1
 column -s, -t "$OUT/t_03_speed.csv" 2>/dev/null || cat "$OUT/t_03_speed.csv"
+
+awk -F, '$1 == "gimp-run" { printf "gimp, %s steps: whole run %g ns a particle-step, step loop %g, ratio %.3f\n", 400,
+    $10, $5, $10 / $5 }' "$OUT/t_03_speed.csv"
+
+# Where the instructions of a step of GIMP go, by the function that they are compiled into; the ledger, which comes
+# after each step, stands in the sum and not in instructions_avx2.
+if [ -x "$avx2" ] && command -v callgrind_annotate >/dev/null; then
+    valgrind --tool=callgrind --toggle-collect=sim_step --toggle-collect=ledger_motion --toggle-collect=ledger_strain \
+        --callgrind-out-file="$work/calls" "$avx2" run free_block --set steps=39 --quiet >"$work/count.csv" 2>"$work/count.log"
+    callgrind_annotate --auto=no --threshold=100 "$work/calls" |
+        awk -v n="$(pick particles <"$work/count.csv")" -v steps=40 '
+            function part(f) {
+                if (f ~ /^ledger_|^add_motion|stored_energy/) return "ledger"
+                if (f ~ /shape|fit_slopes/) return "shapes"
+                if (f ~ /^(deposit|clear|pack)_/) return "deposit"
+                if (f ~ /^(gather|inspect)_/) return "gather"
+                if (f ~ /^(solve|mirror|record|row)_/) return "solve"
+                if (f ~ /^(material|chunk|strain)_|_payload$|_update$/) return "stress and update"
+                if (f ~ /sort|^(permute|find_|cut_blocks|cell_order|touch_rows|widen)/) return "sort"
+                return "rest" }
+            !/%\)/ { next }
+            { count = $1; gsub(",", "", count); sub(/^[^)]*\) */, ""); sub(/ \[.*/, ""); sub(/.*:/, "") }
+            /PROGRAM TOTALS/ { all = count; next }
+            { sum[part($0)] += count; named += count }
+            END { print "part,instructions,share"
+                  sum["rest"] += all - named
+                  k = split("deposit,gather,shapes,solve,stress and update,sort,ledger,rest", name, ",")
+                  for (i = 1; i <= k; i++) printf "%s,%.1f,%.3f\n", name[i], sum[name[i]] / (n * steps), sum[name[i]] / all
+                  printf "sum,%.1f,1\n", all / (n * steps) }' >"$work/t_03_instructions.csv"
+    mv "$work/t_03_instructions.csv" "$OUT/t_03_instructions.csv" || exit 1
+    column -s, -t "$OUT/t_03_instructions.csv" 2>/dev/null || cat "$OUT/t_03_instructions.csv"
+else
+    echo "SKIPPED valgrind: no instructions by function" >&2
+fi
 
 # Slower than accepted: instructions by more than 1 %, or CPU time over the textbook code's by more than 15 %.
 processor=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
