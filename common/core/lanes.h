@@ -4,6 +4,8 @@
 
 #include "common/contract/four.h"
 
+#define MORE_THAN_FOUR_LANES IN_THIS_DIM(0, 1, 1) /* LANES > 4, for the preprocessor */
+
 /* The widest vectors of this build. */
 #if defined(__AVX512F__)
 enum { VECTOR_BYTES = 64, REGISTERS = 16 }; /* for sums; the other half holds operands */
@@ -23,7 +25,7 @@ typedef long long PartBits __attribute__((vector_size(PART_BYTES)));
 
 /* `own` in the lanes lo .. hi - 1, S in the others. Where the machine has one, by its own blend:
  * gcc takes a shuffle of two repeated numbers apart and puts it together lane by lane. */
-#if defined(__AVX512F__) && defined(__OPTIMIZE__) && DIM > 1
+#if defined(__AVX512F__) && defined(__OPTIMIZE__) && MORE_THAN_FOUR_LANES
 #include <immintrin.h>
 static inline __attribute__((always_inline)) Part part_of_two(double S, double own, int lo, int hi)
 {
@@ -53,7 +55,7 @@ static inline __attribute__((always_inline)) Part part_of_two(double S, double o
 static inline __attribute__((always_inline)) Part slope_part(const Line *B, int d, const int q)
 {
     const Four *const of = (const Four *)B + d;
-#if defined(__AVX512F__) && DIM > 1
+#if defined(__AVX512F__) && MORE_THAN_FOUR_LANES
     (void)q;
     return __builtin_shufflevector(*of, (Four){0}, 0, 1, 2, 3, 4, 5, 6, 7);
 #else
