@@ -9,6 +9,7 @@
  * And the condition number of the moment matrix of WLS (W11 eq 9) on H-6's uneven particles. */
 #include <gsl/gsl_eigen.h>
 #include <math.h>
+#include "studies/runs/must.h"
 #include "studies/tables/curves.h"
 
 enum { TENT, GIMP, GE_TENT, GE_GIMP, FIT, METHODS, RATIOS = 6, GRIDS = 4, MOST = 192, JITTERS = 6 };
@@ -127,16 +128,24 @@ static void cases(Cases *list, bool quick)
                           jitters[k], grading);
 }
 
-/* Largest over least eigenvalue of the moments of node (i, j), lengths in cells. */
-static double condition(const Table *t, int cells, int i, int j)
+/* X and Y of each row, lengths in cells; the caller frees them. */
+static double *points_of(const Table *t, int cells)
+{
+    double *x = must(malloc(sizeof *x * 2 * ((size_t)t->nrow + 1)));
+    for (int row = 0; row < t->nrow; row++)
+        for (int d = 0; d < 2; d++) x[2 * row + d] = cells * table_number(t, row, d ? "Y" : "X");
+    return x;
+}
+
+/* Largest over least eigenvalue of the moments of node (i, j) of n points, lengths in cells. */
+static double condition(int n, const double *x, int i, int j)
 {
     double M[9] = {0}, e[3];
     gsl_matrix_view view = gsl_matrix_view_array(M, 3, 3);
     gsl_vector_view values = gsl_vector_view_array(e, 3);
     gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(3);
-    for (int row = 0; row < t->nrow; row++) {
-        const double r[3] = {1, cells * table_number(t, row, "X") - i,
-                             cells * table_number(t, row, "Y") - j};
+    for (int p = 0; p < n; p++) {
+        const double r[3] = {1, x[2 * p] - i, x[2 * p + 1] - j};
         double W = 1;
         for (int d = 1; d < 3; d++) {
             const double a = fabs(r[d]);
@@ -163,10 +172,12 @@ static void tables(const Results *r)
     for (int grading = 1; grading < 3; grading++)
         for (int k = 0; k < JITTERS; k++) {
             const Table *t = results_run(r, "uneven_%d_%d", grading, k);
-            double most = 0; /* nodes inside: the body reaches from about .2 to .8 */
+            double *x = points_of(t, 32),
+                   most = 0; /* nodes inside: the body reaches from about .2 to .8 */
             for (int node = 0; node < 36 && t->nrow > 0; node++)
-                most = fmax(most, condition(t, 32, 11 + node % 6 * 2, 11 + node / 6 * 2));
+                most = fmax(most, condition(t->nrow, x, 11 + node % 6 * 2, 11 + node / 6 * 2));
             if (t->nrow > 0) fprintf(f, "%d,%g,%.17g\n", grading, jitters[k], most);
+            free(x);
         }
 }
 
