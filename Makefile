@@ -143,17 +143,18 @@ test: ## every test
 	bash tests/tools/reach_table.sh --check README.md $(BUILD)/out
 	$(AT_ONCE) $(RUN_UNIT)
 
-# Those of the program's own code, for sanitizers.
+# Those of the program's own code, for sanitizers. Trials judge each page some 40 times: here once or twice.
 quick: ## the tests of the program itself, without installation and examples
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(AT_ONCE) $(QUICK_TESTS:%=run-%)
-	$(AT_ONCE) $(RUN_UNIT)
+	$(AT_ONCE) ONLY_claims='claims on whole' $(RUN_UNIT)
 
 .PHONY: $(RUN_SHELL) $(RUN_UNIT)
 $(RUN_SHELL): run-%:
 	bash $(wildcard tests/*/$*.sh) $(if $(filter example,$*),$(BUILD)/example,$(if $(filter install,$*),$(BUILD),$(BUILD)/mpmlab) $(BUILD)/tests)
 $(RUN_UNIT): run-%:
-	@mkdir -p $(BUILD)/tests/run/$* && cd $(BUILD)/tests/run/$* && OMP_WAIT_POLICY=passive $(CURDIR)/$(BUILD)/tests/$*
+	@mkdir -p $(BUILD)/tests/run/$* && cd $(BUILD)/tests/run/$* && \
+	  $(if $(ONLY_$*),ONLY='$(ONLY_$*)') OMP_WAIT_POLICY=passive $(CURDIR)/$(BUILD)/tests/$*
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
 bench: all $(BUILD)/tests/bench ## speed: figure T-3, and instructions if valgrind is installed

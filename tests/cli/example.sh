@@ -29,7 +29,6 @@ failed_range() { ! "$program" run free_bar --method blend --set alpha=2 >out 2>e
 readme() {
     local first
     first=$(head -n 1 "$1")
-    grep -qxF -- "$first" "$root/README.md" || { echo "SKIPPED: README.md does not show $1" && return; }
     awk -v first="$first" '$0 == first { on = 1 } /^```/ { on = 0 } on' "$root/README.md" | cmp -s - "$1"
 }
 
@@ -39,7 +38,7 @@ cp -r "$root"/{Makefile,common,methods,problems,fem_ref,studies,plots,tests} "$t
 cd "$tree" || exit 1
 program=build/mpmlab
 ok "the copy compiles" compile
-for file in "$root"/tests/{methods/example_method.c,problems/example_problem.c,studies/example_study.c} \
+for file in "$root"/tests/{problems/example_problem.c,studies/example_study.c} \
     "$root"/tests/studies/example_plot.gp "$root"/methods/flip_pic.c; do
     ok "README shows $file as it is" readme "$file"
 done
