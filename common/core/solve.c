@@ -149,17 +149,19 @@ static void row_span(const Grid *g, int row, int *lo, int *hi)
     }
 }
 
-/* A row of which no wall, symmetry or body force knows, and whose masses nobody asks for. */
+/* Solves a row without held nodes, if the run has no unilateral wall, symmetry line, body force,
+ * repair of velocities (WLS) or record of nodal masses. False: it has, and nothing is done. */
 static bool solve_free_row(Sim *sim, const Motion *motion, int row)
 {
     Grid *g = &sim->g;
-    const Motion own = {motion->dt, motion->scale, motion->force, false, motion->given};
+    Motion own = *motion;
     Line *node = g->node + (size_t)row * (size_t)g->n[0];
     double impulse[DIM] = {0};
     int live = 0;
     if (g->force || g->mass || g->nstop || motion->early || row_hold(g, row)) return false;
     for (int i = g->lo[row]; i < g->hi[row]; i++)
         if (g->hold[0][i]) return false;
+    own.early = false; /* so that the compiler drops its branch */
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const bool empty = node[i][0] <= sim->mass_cut; /* false for NaN, which must spread */
         live += !empty;

@@ -15,7 +15,7 @@ typedef struct Shape {
     double S[CORNERS], G[CORNERS][DIM];
 } Shape;
 
-/* The middle of a full cell, and the rows of its corners in M; 1 and x of a cell's corners. */
+/* The middle of a full cell, and the rows of its corners in M; place: 1 and x of each corner. */
 typedef struct Middle {
     Shape shape;
     Half row[CORNERS], place[CORNERS];
@@ -54,19 +54,12 @@ static inline bool value_at(const Wls *w, const size_t corner[CORNERS], const do
     return total > 0;
 }
 
-static inline double cell_volume(const Sim *sim)
-{
-    double V = 1;
-    for (int d = 0; d < DIM; d++) V *= sim->dx;
-    return V;
-}
-
 /* Eqs 22-24 of one point of `volume` [cells]: every corner gets S m - sum_b G_b flux_b. */
 static inline void add_point(Sim *sim, const size_t corner[CORNERS], const Shape *shape,
                              const Line value, double volume)
 {
     Grid *g = &sim->g;
-    const double V = volume * cell_volume(sim);
+    const double V = volume * wls_cell_volume(sim);
     Line mass = {0}, flux[DIM] = {{0}};
     mass[0] = V * value[Q_RHO];
     for (int s = 1 + DIM; s < FLUX; s++) mass[s] = mass[0];
@@ -117,7 +110,8 @@ static inline void add_to_matrix(const Shape *shape, double mass, double M[CORNE
     }
 }
 
-/* A cut cell. Its first moments are those of M, since sum_j S_j x_j = x. */
+/* Adds a cut cell's products with M, and for each corner k the sum of its row and the first moments
+ * about it: sum_j M_kj (x_j - x_k) is exact, since sum_j S_j x_j = x. */
 static inline void multiply_cut(Wls *w, const size_t corner[CORNERS], const Half place[CORNERS],
                                 const double M[CORNER_PAIRS])
 {
@@ -174,7 +168,7 @@ static inline void take_full(Sim *sim, const size_t corner[CORNERS], const Middl
     }
     const bool known = value_at(w, corner, centre, &m->shape, &value);
     if (known) add_point(sim, corner, &m->shape, value, 1);
-    if (w->inertia) w->cell_mass[corner[0]] = known ? value[Q_RHO] * cell_volume(sim) : 0;
+    if (w->inertia) w->cell_mass[corner[0]] = known ? value[Q_RHO] * wls_cell_volume(sim) : 0;
     *lost += !known;
 }
 
@@ -205,7 +199,7 @@ static inline void take_cell(Sim *sim, const size_t corner[CORNERS], int mask, c
         shape_at(xi[q], &shape);
         const bool known = value_at(w, corner, xi[q], &shape, &value);
         if (known) add_point(sim, corner, &shape, value, weight[q]);
-        if (known && M) add_to_matrix(&shape, value[Q_RHO] * weight[q] * cell_volume(sim), M);
+        if (known && M) add_to_matrix(&shape, value[Q_RHO] * weight[q] * wls_cell_volume(sim), M);
         *lost += !known;
     }
 }

@@ -71,8 +71,7 @@ static void solve_cells(const Sim *sim, Centres *c, int row)
  */
 static void add_cell(const Sim *sim, const Centres *c, size_t cell, int k, Line *node)
 {
-    double V = c->share[cell] * 2 / CORNERS * sim->g.cells;
-    for (int d = 0; d < DIM; d++) V *= sim->dx;
+    const double V = c->share[cell] * 2 / CORNERS * sim->g.cells * wls_cell_volume(sim);
     for (int b = 0; b < DIM; b++)
         for (int a = 0; a < DIM; a++)
             (*node)[FLUX + b * DIM + a] -=

@@ -84,8 +84,8 @@ enum {
     QUANTITIES = Q_SIGMA + PAIRS
 };
 
-/* r has lanes of its own where there is room, in 3D: its sums stand there, and the line of moments
- * holds those of W and beta alone (space.h). */
+/* In 3D the quantities leave DIM lanes free: these hold r, and of the line of moments M_ONE and
+ * M_BETA alone are used (space.h). R_RIDES: is it so? */
 enum { Q_R = LANES - DIM, R_RIDES = (int)Q_R >= (int)QUANTITIES };
 
 /* Lanes of sums over surface points, all times the tent: 1, r_d, n_d, r . n in one line; r_d r_e
@@ -140,7 +140,7 @@ typedef struct Wls {
     Bend *bend;          /* [nodes] or NULL: all surfaces are straight */
     Inertia *inertia;    /* [nodes] of the corrections by the mass matrix, or NULL */
     double *cell_mass;   /* [nodes] of the full cell above a node [kg], with it */
-    double (*cut)[CORNER_PAIRS]; /* [nodes] M [kg] of the cut cell above a node, k >= j, with it */
+    double (*cut)[CORNER_PAIRS]; /* [nodes] M_kj [kg], k >= j, of a node's cut cell, with it */
     double *most;                /* [nodes] largest W of any particle */
     double *distance;            /* [nodes] [cells] from the surface, > 0 inside */
     unsigned char *good;         /* [nodes] not 0: alpha of eqs 19-21; with SOUND: has mass, too */
@@ -152,6 +152,13 @@ typedef struct Wls {
 static inline Wls *wls_of(const Sim *sim)
 {
     return sim->own;
+}
+
+static inline double wls_cell_volume(const Sim *sim)
+{
+    double V = 1;
+    for (int d = 0; d < DIM; d++) V *= sim->dx;
+    return V;
 }
 
 /* Is node `at` good, with mass of its own? Set at the start of the repair, before
@@ -180,7 +187,7 @@ void wls_count(Sim *sim);
 /* Solves for the planes of a node and decides whether it is good; false: it fell back to c0. */
 bool wls_solve_node(Wls *w, size_t at);
 
-/* A node's surface sums, to be added to. */
+/* The surface sums of a node, set to 0 when they are first asked for in a step. */
 Line *wls_skin_of(Wls *w, size_t at);
 
 /* Adds surface point p of a chunk to the surface sums of the 2^DIM nodes of its cell. */

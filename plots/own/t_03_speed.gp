@@ -1,15 +1,16 @@
 # What a particle-step costs: bars of the step loop's CPU time, beside what the machine could do at best.
-tall = 0.95
+tall = 1.6
 load plots.'/style.gp'
 set style fill solid 0.85 noborder
 set style data boxes
 set boxwidth 0.62
 set grid noytics xtics
 set yrange [*:*] reverse
+set offsets 0, 0, 0.4, 0.4
 set logscale x
-set xrange [3:1000]
+set xrange [3:2000]
 set xlabel 'CPU time of one particle-step (FEM: element-step) [ns]'
-set label 1 heading('Speed of the step loop, one core') at graph 0, graph 1.06
+set label 1 heading('Speed of the step loop, one core') at graph 0, graph 1.03
 set lmargin 24
 unset key
 set ytics noenhanced # names of methods: no subscripts

@@ -19,17 +19,17 @@ typedef struct Part {
     Table *table;
 } Part;
 
-enum { KEPT = 8 };
+enum { KEPT = 8, PART_TEXT = 256 };
 
-/* A table of a run, by its part's name; what is lost and was asked for all the same is another. */
+/* A table that a run has left, by its part's name. */
 typedef struct Kept {
-    char *name;
+    char part[PART_TEXT];
     Table *table;
 } Kept;
 
 struct ResultsOwn {
     Part *parts;
-    Kept kept[KEPT]; /* tables of runs, in the order of use; a new one replaces the first */
+    Kept kept[KEPT]; /* the one used last comes first; a new one replaces the last */
     Table *rows;
     Cases cases;
     int *row; /* [cases.n] the case's row, or -1; NULL: not matched yet */
@@ -113,12 +113,6 @@ const char *results_missing(const Results *r)
     return r->own->missing;
 }
 
-static void free_kept(Kept *k)
-{
-    table_free(k->table);
-    free(k->name);
-}
-
 int results_close(Results *r, Fault *fault)
 {
     struct ResultsOwn *own = r->own;
@@ -132,7 +126,7 @@ int results_close(Results *r, Fault *fault)
     const int code = own->fault.code;
     if (code) fault_set(fault, code, "%s", own->fault.text);
     cases_free(&own->cases);
-    for (int k = 0; k < KEPT; k++) free_kept(&own->kept[k]);
+    for (int k = 0; k < KEPT; k++) table_free(own->kept[k].table);
     table_free(own->rows);
     free(own->row);
     free(own);
@@ -231,36 +225,35 @@ const char *results_path(const Results *r, const char *part)
     return results_status(r, part)[0] == 'o' ? path_of(r, part, "csv") : NULL;
 }
 
-/* The table of a run, read at its first use; any: though the run was lost. */
-static const Table *keep(const Results *r, const char *part, bool any)
+/* The table that a run has left, read when it is first asked for. */
+static const Table *keep(const Results *r, const char *part)
 {
     Kept *kept = r->own->kept;
-    char *name = must_text("%d %s", any, part);
-    int at = KEPT - 1;
-    while (at > 0 && !(kept[at].name && strcmp(kept[at].name, name) == 0)) at--;
+    int at = 0;
+    while (at < KEPT - 1 && !(kept[at].table && strcmp(kept[at].part, part) == 0)) at++;
     Kept one = kept[at];
-    if (!one.name || strcmp(one.name, name) != 0) {
-        const bool there = any || results_status(r, part)[0] == 'o';
-        Table *t = there ? file_left(r, part) : NULL;
-        free_kept(&one);
-        one = (Kept){must_text("%s", name), t ? t : no_table()};
+    if (!one.table || strcmp(one.part, part) != 0) {
+        table_free(one.table);
+        one.table = file_left(r, part);
+        if (!one.table) one.table = no_table();
+        snprintf(one.part, sizeof one.part, "%s", part);
     }
-    free(name);
-    memmove(kept + at, kept + at + 1, sizeof *kept * (size_t)(KEPT - 1 - at));
-    kept[KEPT - 1] = one;
+    memmove(kept + 1, kept, sizeof *kept * (size_t)at);
+    kept[0] = one;
     return one.table;
 }
 
 const Table *results_run(const Results *r, const char *part, ...)
 {
-    char text[256];
+    static const Table none;
+    char text[PART_TEXT];
     PHRASE_INTO(text, part);
-    return keep(r, text, false);
+    return results_status(r, text)[0] == 'o' ? keep(r, text) : &none;
 }
 
 const Table *results_ended(const Results *r, const char *part, ...)
 {
-    char text[256];
+    char text[PART_TEXT];
     PHRASE_INTO(text, part);
-    return keep(r, text, true);
+    return keep(r, text);
 }

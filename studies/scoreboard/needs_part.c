@@ -2,9 +2,9 @@
  * and the figure that show it. */
 #include <math.h>
 #include <string.h>
+#include "studies/runs/engines.h"
 #include "studies/select.h"
 #include "parts.h"
-#include "studies/runs/engines.h"
 
 /* Rows of `study`.`part` that meet `where`; the least |column - right| wins. */
 static const struct Need {

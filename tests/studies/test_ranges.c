@@ -53,12 +53,12 @@ static bool is_key(const Table *t, const char *name)
 static void change_table(const char *path, const Change *by)
 {
     Table *t = table_read(path, NULL);
-    FILE *f = t ? fopen(path, "w") : NULL;
+    CU_ASSERT_FATAL(t && t->ncol <= MOST_COLUMNS);
+    FILE *f = fopen(path, "w");
+    bool key[MOST_COLUMNS];
     int name = 0;
     for (const char *p = path; *p; p++) name += *p * (int)(p - path);
     const double factor = by->factor * scattered(by->scatter, name);
-    bool key[MOST_COLUMNS];
-    CU_ASSERT_FATAL(t && t->ncol <= MOST_COLUMNS);
     for (int c = 0; c < t->ncol; c++) key[c] = is_key(t, t->name[c]);
     for (int row = -1; f && row < t->nrow; row++)
         for (int c = 0; c < t->ncol; c++) {

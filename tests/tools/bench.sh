@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # bench.sh: the speed of the step loop, from one run of this machine: ns per particle-step (best and median
 # CPU time of interleaved rounds), instructions (callgrind, AVX2 build), ratios to the textbook code, two bare loops
-# (whole runs) and the machine's own bounds, empty space, threads. Writes OUT/t_03_speed.csv and prints it as a table;
+# (their steps alone) and the machine's own bounds, empty space, threads. Writes OUT/t_03_speed.csv and prints it as a table;
 # where the instructions of GIMP go (OUT/t_03_instructions.csv); growth with the number of particles
 # (OUT/t_03_growth.csv); and what is slower than in the bench that was accepted last
 # on this processor (tests/data/bench; ACCEPT=1 puts this one there).
@@ -43,7 +43,7 @@ for ((round = 0; round < ROUNDS; round++)); do
             "$work/row.csv" >>"$work/$name.ns"
     done
     "$bench" twin 128 2 | awk '{ print $2, $2, $2 }' >>"$work/twin.ns"
-    for kind in mls gimp; do # as a user would write them, whole runs
+    for kind in mls gimp; do # as a user would write them
         "$bench" bare $kind 128 40 >"$work/bare" || { echo "bench: the bare $kind loop is wrong" >&2; exit 1; }
         awk '$1 == "bare_ns" { print $2, $2, $2 }' "$work/bare" >>"$work/bare-$kind.ns"
     done
@@ -90,8 +90,8 @@ gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
 mv "$work/t_03_speed.csv" "$OUT/t_03_speed.csv" || exit 1
 column -s, -t "$OUT/t_03_speed.csv" 2>/dev/null || cat "$OUT/t_03_speed.csv"
 
-awk -F, '$1 == "gimp-run" { printf "gimp, %s steps: whole run %g ns a particle-step, step loop %g, ratio %.3f\n", 400,
-    $10, $5, $10 / $5 }' "$OUT/t_03_speed.csv"
+awk -F, '$1 == "gimp-run" { printf "gimp: whole run %g ns per particle-step, step loop %g, ratio %.3f\n", $10, $5, $10 / $5 }' \
+    "$OUT/t_03_speed.csv"
 
 # Where the instructions of a step of GIMP go, by the function that they are compiled into; the ledger, which comes
 # after each step, stands in the sum and not in instructions_avx2.
