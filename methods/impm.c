@@ -11,10 +11,10 @@
  * particles, m_i = sum m_p S_ip. V_c of a cell that the body fills in part: centres.c. S, for m_i
  * and from nodes to particles, is the quadratic spline folded at walls: with tents some nodes of
  * partly filled cells would receive forces but no mass. Nodes and cells whose largest weight is
- * below `trigger` take a mean in place of a plane, as in W11 3.5: with planes there, trigger=0,
- * free surfaces are unstable (ring, 32 cells: lost in four steps), as is in 2D a block with one
- * particle per cell at trigger 1/4. Therefore a linear velocity is projected exactly inside, but
- * not at the outermost nodes. */
+ * below `trigger` take a mean in place of a plane, as in W11 3.5: with planes there (trigger=0)
+ * free surfaces are unstable, the ring with 32 cells is lost in four steps; in 2D a block with one
+ * particle per cell is unstable at trigger=.25, too. Because of the mean, a linear velocity is
+ * projected exactly inside, but not at the outermost nodes. */
 #include "methods/wls/params.h"
 
 static const Param params[] = {{"trigger", IN_THIS_DIM(0.25, 0.4, 0.3), 0, 0.5625, "",

@@ -8,8 +8,7 @@
 /* The formatted text. It stays as it is for as long as the program runs; nobody frees it. */
 const char *phrase(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* In a function that ends in `format, ...`: writes the text that they make into the array `text`.
- */
+/* In a function whose last parameters are `format, ...`: formats them into the array `text`. */
 #define PHRASE_INTO(text, format)                                                                  \
     do {                                                                                           \
         va_list args;                                                                              \

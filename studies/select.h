@@ -19,9 +19,8 @@ const char *select_text(const Table *t, int row, const char *column);
 double select_number(const Table *t, int row, const char *name); /* NAN: empty, or a word */
 bool select_is(const Table *t, int row, const char *column, const char *text);
 
-/* The first row behind `row` that meets `where`, or -1. EACH_ROW(row, t, where, ...): each such
- * row.
- */
+/* The first row behind `row` that meets `where`, or -1. EACH_ROW(row, t, where, ...)
+ * loops over all such rows. */
 int select_next(const Table *t, int row, const char *where, ...)
     __attribute__((format(printf, 3, 4)));
 #define EACH_ROW(row, t, ...) for (int row = -1; (row = select_next(t, row, __VA_ARGS__)) >= 0;)
@@ -49,21 +48,21 @@ Measure select_ended(const Table *t, const char *name, const char *where, ...)
 int select_all(const Table *t, const char *name, int most, double out[], const char *where, ...)
     __attribute__((format(printf, 5, 6)));
 
-/* The largest and the least number of such rows, of `needs` that there must be; NAN if a run was
- * lost. */
+/* The largest and the smallest value of column `name` in the rows that meet `where`, of which there
+ * must be `needs`. NAN if one of these runs was lost. */
 Measure select_max(const Table *t, const char *name, int needs, const char *where, ...)
     __attribute__((format(printf, 4, 5)));
 Measure select_min(const Table *t, const char *name, int needs, const char *where, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* The number of the last row; NAN if there is none. */
+/* The value of column `name` in the last row; NAN if the table has none. */
 double select_last(const Table *t, const char *name);
 
 /* How many runs of such rows were lost, of `needs` that there must be. */
 Measure select_count_lost(const Table *t, int needs, const char *where);
 
-/* The next word of the list that *rest points into, or NULL; it stays. EACH_WORD(m, "gimp wls"):
- * each word as `const char *m`. */
+/* The next word at *rest, which is moved behind it; NULL at the end. The word is a phrase
+ * (phrase.h): nobody frees it. EACH_WORD(m, "gimp wls") loops over the words as `const char *m`. */
 const char *select_word(const char **rest);
 #define EACH_WORD(m, words) for (const char *m##_rest = (words), *m; (m = select_word(&m##_rest));)
 

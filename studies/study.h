@@ -64,8 +64,9 @@ FILE *results_write_notes(const Results *results); /* NAME.var, for gnuplot */
  * study FAIL, and this table has no rows. */
 const Table *results_part(const Results *results, const char *part);
 
-/* The file NAME.PART.csv of a run that reached its end; of any run. A table that belongs to the
- * results, without rows if there is no file; it stays until eight others have been read. */
+/* The file NAME.PART.csv as a table. results_run: if the run reached its end; results_ended: of any
+ * run. Without rows if there is none. It belongs to the results, until eight others were asked for.
+ */
 const Table *results_run(const Results *results, const char *part, ...)
     __attribute__((format(printf, 2, 3)));
 const Table *results_ended(const Results *results, const char *part, ...)

@@ -33,7 +33,7 @@ static inline void four_lines_from_fields(Field field[LANES], Line line[CHUNK])
         }
 }
 
-/* And back, the lanes from FLUX on times `scale`. */
+/* A chunk's lines to fields, four by four; lanes from FLUX on are multiplied by `scale`. */
 static inline void four_fields_from_lines(const Line line[CHUNK], double scale, Field field[LANES])
 {
     for (int l = 0; l < LANES; l += FOUR)
@@ -48,8 +48,8 @@ static inline void four_fields_from_lines(const Line line[CHUNK], double scale, 
         }
 }
 
-/* Three fields at most, and 0 before them, to four lanes of a chunk's lines: the lanes of momentum.
- */
+/* Sets lanes 4 group .. 4 group + 3 of each line to 0 and the DIM fields times `scale`, as mass and
+ * momentum stand in a payload. */
 static inline void four_momentum_lanes(Field field[DIM], double scale, Line line[CHUNK], int group)
 {
     for (int p = 0; p < CHUNK; p += FOUR) {

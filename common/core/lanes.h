@@ -23,8 +23,9 @@ enum {
 typedef double Part __attribute__((vector_size(PART_BYTES), may_alias));
 typedef long long PartBits __attribute__((vector_size(PART_BYTES)));
 
-/* `own` in the lanes lo .. hi - 1, S in the others. Where the machine has one, by its own blend:
- * gcc takes a shuffle of two repeated numbers apart and puts it together lane by lane. */
+/* A part with `own` in the lanes lo .. hi - 1 and S in the others. Optimized builds for AVX use the
+ * blend instruction (with clang those for AVX-512 alone): gcc builds a shuffle of two repeated
+ * numbers lane by lane. */
 #if defined(__AVX512F__) && defined(__OPTIMIZE__) && MORE_THAN_FOUR_LANES
 #include <immintrin.h>
 static inline __attribute__((always_inline)) Part part_of_two(double S, double own, int lo, int hi)
@@ -51,7 +52,7 @@ static inline __attribute__((always_inline)) Part part_of_two(double S, double o
 }
 #endif
 
-/* Part q of the slopes along axis d of a particle's line B: all within the first four lanes. */
+/* Part q of a line whose lanes 0 .. 3 hold the slopes along axis d, lanes 4 d .. 4 d + 3 of B. */
 static inline __attribute__((always_inline)) Part slope_part(const Line *B, int d, const int q)
 {
     const Four *const of = (const Four *)B + d;
@@ -63,7 +64,7 @@ static inline __attribute__((always_inline)) Part slope_part(const Line *B, int 
 #endif
 }
 
-/* Weights of part q of a line: S, but G in the lanes of the flux through axis d. */
+/* Weights of part q of a line: S, but G (or R) in the lanes of the flux through axis d. */
 static inline __attribute__((always_inline)) Part weight_part(double S, double G, int d,
                                                               const int q)
 {

@@ -1,6 +1,6 @@
 /* parts.h: deposit and gather of scheme.h where a line is wider than the machine's vectors: in
  * parts of their width, one after the other, so that a part's weights stay in registers. For
- * stencils of 2 or 3 nodes per axis, the usual ones; others use scheme.h's loops. */
+ * stencils of 2 or 3 nodes per axis in 2D and 3D; all others use scheme.h's loops. */
 #ifndef MPMLAB_PARTS_H
 #define MPMLAB_PARTS_H
 
@@ -130,7 +130,7 @@ static inline Strides strides_of(const Grid *g)
     return (Strides){row, row * (size_t)g->n[AXIS_Y]};
 }
 
-/* Are a stencil's lines taken in parts? */
+/* Are the lines of stencils of this width taken in parts? */
 #define IN_PARTS(width) (DIM > 1 && PARTS > 1 && (width) <= 3)
 
 /* A chunk's deposit, in lines or in their parts. */

@@ -1,6 +1,6 @@
 /* rupture.c: stress of a chunk, and tension cut-off (problem.h): a particle whose largest principal
  * stress exceeds its strength has the strength 0 from then on, and bears no tension. The energy
- * that it stored in tension is recorded in `lost`, and is no external work (particle_solver.c). */
+ * that it stored in tension is recorded in `lost`, to be subtracted from external work. */
 #include "sim.h"
 
 static void load(const Chunk *c, int p, Mat F)

@@ -22,7 +22,7 @@ typedef struct Work {
     Field sums[POINT_SUMS + MAX_PARTS * DIM];
     Field body[DIM];
     Line A[CHUNK]; /* payload by particle */
-    Line B[CHUNK]; /* its slopes per cell: lanes 4 d on as lanes 0 .. 3 of A, those along axis d */
+    Line B[CHUNK]; /* slopes per cell: lanes 4 d .. 4 d + 3 are those of A's lanes 0 .. 3 along d */
     NodeList list; /* of general weights, instead of the stencils */
     bool on_node;  /* a particle lies on a node, and G lacks its slope: on_node.c */
 } Work;

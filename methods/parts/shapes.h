@@ -67,7 +67,7 @@ static inline double at_least(double x, double limit)
 }
 
 /* b <= 1/2, free of branches: a is r cut off at +-b, G+ = (b + a)/2b, G- = -(b - a)/2b, S+ = (b +
- * a) G+/2 + max(r - a, 0), S- = -(b - a) G-/2 + max(a - r, 0); the rest is the node's between. */
+ * a) G+/2 + max(r - a, 0), S- = -(b - a) G-/2 + max(a - r, 0); S between them: the rest to 1. */
 static inline void gimp_shape_3(const Field x, const Field b, Stencil *out)
 {
     for (int p = 0; p < CHUNK; p++) {

@@ -1,9 +1,9 @@
 /* space.h: the deposit of moments.c in 3D: runs of particles about one middle node, node by node.
  *
- * A line of quantities has DIM lanes to spare. They carry r, so that sums of W r_d and W r_d r_e
- * come with those of the quantities, and the line of the moments gets sum W and beta alone. In a
- * run all r are those from the middle node. At its end its sums move to the node, at e from there:
- *   sum W (r_d - e_d) f = sum W r_d f - e_d sum W f,  and r_d - e_d for f = r_d. */
+ * In 3D the last DIM lanes of the quantities are free. They hold r, so that sums of W r_d and
+ * W r_d r_e are formed with the others, and the line of moments holds sum W and beta alone. Within
+ * a run r is measured from the middle node; then its sums are shifted to each node, at e from
+ * there: sum W (r_d - e_d) f = sum W r_d f - e_d sum W f,  and f = r_k becomes r_k - e_k. */
 #ifndef MPMLAB_WLS_SPACE_H
 #define MPMLAB_WLS_SPACE_H
 

@@ -32,7 +32,7 @@ Line *wls_skin_of(Wls *w, size_t at)
     return w->skin[at];
 }
 
-/* A point with normal n, `away` from a node, to its sums. */
+/* Adds a surface point of weight S and normal n, `away` from a node, to the node's sums. */
 static inline void add_to_skin(double S, const double away[DIM], const double n[DIM], Line skin[2])
 {
     double *first = (double *)&skin[0], *second = (double *)&skin[1];

@@ -65,8 +65,8 @@ static void test_affine(void)
     check_affine("wls2", "");
 }
 
-/* The largest error of a distance from curved surfaces, ring or shell [cells], of nodes that know
- * the curvature. */
+/* The largest error of a distance from the curved surface of ring or shell [cells], at nodes where
+ * the curvature is determined. */
 static double distance_error(int cells)
 {
     const Case c = {DIM, DIM < 3 ? "ring" : "shell", cells, 0, 0, NULL};
@@ -95,14 +95,14 @@ static double distance_error(int cells)
     return error;
 }
 
-/* Of third order in lengths: .32 h^2 cells in the plane, .31 h^2 in space (h = 1/cells). */
+/* The error is .32 h^2 cells in 2D, .31 h^2 in 3D (h = 1/cells): as a length, of third order. */
 static void test_curved_distances(void)
 {
     for (int cells = 8; DIM > 1 && cells <= 24; cells += 8)
         CU_ASSERT(distance_error(cells) < 0.35 / (cells * cells));
 }
 
-/* The sum over all nodes of what surface points give to beta (W11 eq 13). */
+/* What surface points add to beta, summed over all nodes (W11 eq 13). */
 static double surface_beta(const char *set)
 {
     double beta = 0;
@@ -121,7 +121,7 @@ static double surface_beta(const char *set)
     return beta;
 }
 
-/* It does not depend on how many points a surface has. */
+/* The surface's share of beta does not depend on how many points it has. */
 static void test_surface_density(void)
 {
     const double usual = surface_beta(NULL);
