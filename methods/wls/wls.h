@@ -1,7 +1,6 @@
 /* wls.h: what the files of the weighted-least-squares methods share (W11 sections 3, 4).
  *
- *   wls/moments.c   particles to moments and loads of every node (eqs 7-9); kernel.h, and in 3D
- *                   space.h
+ *   wls/moments.c   moments and loads of every node (eqs 7-9), with kernel.h; in 3D with space.h
  *   wls/fold.c      symmetry lines
  *   wls/fit.c       planes from them (eqs 10-12)
  *   wls/condition.c which nodes are spurious (3.5)
@@ -71,8 +70,7 @@ enum {
  * ...; after it the coefficients c0, c_0, c_1, ... stand where the loads were. */
 enum { FIT_MOMENTS, FIT_VALUE, FIT_SLOPE, FIT = FIT_SLOPE + DIM };
 
-/* Lanes of the moments: sums of W, of beta times the tent S (eq 13), of W r_d, W r_d r_e (d <= e).
- */
+/* Lanes of the moments: sums of W, beta times the tent S (eq 13), W r_d, W r_d r_e (d <= e). */
 enum { M_ONE, M_BETA, M_FIRST, M_SECOND = M_FIRST + DIM, MOMENTS = M_SECOND + PAIRS };
 
 /* Lanes of the quantities: v, rho, f_ext = rho b, sigma (a <= b). */
