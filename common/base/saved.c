@@ -48,18 +48,31 @@ FILE *saved_begin(const char *path, const SavedKey *key, Fault *fault)
     return f;
 }
 
+/* Names the state at path, if there is one, path.1 as well. Both names hold a whole state at every
+   moment: path until the new state takes it, path.1 as rename() replaces what it meant before. */
+static bool keep_before(const char *path)
+{
+    char before[PATH_MAX], part[PATH_MAX];
+    snprintf(before, sizeof before, "%.4000s.1", path);
+    snprintf(part, sizeof part, "%.4000s.1.%ld.tmp", path, (long)getpid());
+    unlink(part);
+    if (link(path, part) != 0) return errno == ENOENT;
+    const bool kept = rename(part, before) == 0;
+    const int error = errno;
+    unlink(part); /* left where both names already mean one file */
+    errno = error;
+    return kept;
+}
+
 int saved_commit(FILE *f, const char *path, Fault *fault)
 {
-    char before[PATH_MAX];
     const long n = ftell(f);
     fflush(f);
     const unsigned long sum = sum_of(f, n);
     fseek(f, n, SEEK_SET);
     fprintf(f, "%08lx\n", sum);
-    snprintf(before, sizeof before, "%.4000s.1", path);
     const bool written = fflush(f) == 0 && !ferror(f) && fsync(fileno(f)) == 0;
-    if (written) unlink(before); /* the newest keeps its name until the next one has it */
-    if (!written || (link(path, before) != 0 && errno != ENOENT)) {
+    if (!written || !keep_before(path)) {
         const int error = errno;
         file_abandon(f, path);
         return fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(error ? error : EIO));

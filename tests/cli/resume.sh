@@ -30,6 +30,8 @@ killed() {
     kill -KILL $!
     wait $!
 } 2>/dev/null
+# part N FILE: the first N bytes of `newest`, a file of its own: a killed run's state and state.1 may be one.
+part() { head -c "$1" newest >torn && mv torn "$2"; }
 
 kills=0
 while read -r words; do
@@ -73,7 +75,7 @@ outcome whole $words
 killed $words
 cp state newest
 cp state.1 second
-head -c 3000 newest >state
+part 3000 state
 run run $words --resume state --history resumed.history --particles resumed.particles
 timeless out >resumed.row
 ok "torn: the one before" alike whole resumed
@@ -82,8 +84,8 @@ rm state
 # shellcheck disable=SC2086
 outcome resumed $words --resume state
 ok "missing: the one before" alike whole resumed
-head -c 3000 newest >state
-head -c 2000 newest >state.1
+part 3000 state
+part 2000 state.1
 refused "both torn" 2 "no whole checkpoint, and state.1 is no whole checkpoint" run $words --resume state
 cp newest state
 refused "another run's" 2 "a checkpoint of another run: run ring" run ring --cells 13 --resume state
