@@ -74,7 +74,7 @@ LINK    = $(call SHOW,LD) mkdir -p $(@D) && $(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 COMPILE = $(call SHOW,CC) mkdir -p $(@D) && $(CC) $(CFLAGS) -MMD -MP -c -o $@ $<
 DEPENDS = $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 
-$(BUILD)/studies/%.o: studies/%.c $(BUILD)/facts.h Makefile
+$(BUILD)/studies/%.o: studies/%.c Makefile | $(BUILD)/facts.h
 	$(COMPILE) -I$(BUILD)
 
 $(BUILD)/common/base/%.o: common/base/%.c Makefile
