@@ -13,6 +13,7 @@
 #include <float.h>
 #include "common/contract/four.h"
 #include "fem.h"
+#include "common/base/team.h"
 
 /* Edges x2 - x1, x3 - x1, ... of a chunk: [edge][component]. */
 typedef Field Edges[DIM][DIM];
@@ -141,10 +142,23 @@ static Status first_culprit(const Fem *f)
     return (Status){OK, -1, 0};
 }
 
+typedef struct Strained {
+    Fem *f;
+    int bad;
+} Strained;
+
+static void strain_chunks(void *own, int first, int last)
+{
+    Strained *s = own;
+    int bad = 0;
+    for (int k = first; k < last; k++) bad |= strain_chunk(s->f, k * CHUNK);
+#pragma omp atomic
+    s->bad |= bad;
+}
+
 void fem_strain(Fem *f)
 {
-    int bad = 0;
-#pragma omp parallel for schedule(static) num_threads(f->threads) reduction(| : bad)
-    for (int start = 0; start < f->slots; start += CHUNK) bad |= strain_chunk(f, start);
-    f->status = bad ? first_culprit(f) : (Status){OK, -1, 0};
+    Strained all = {f, 0};
+    team_share(f->threads, f->slots / CHUNK, strain_chunks, &all);
+    f->status = all.bad ? first_culprit(f) : (Status){OK, -1, 0};
 }

@@ -15,6 +15,7 @@
  * leaves as soon as it is pulled away. So an impact never sticks, also where a grid method would
  * call the wall bilateral. */
 #include "fem.h"
+#include "common/base/team.h"
 
 /* Sum over a node's corners of what lies at their places, in groups and a fixed order. */
 static inline Packed sum_corners(const Packed *value, const int at[VALENCE], int none)
@@ -163,17 +164,32 @@ static void record_outside(Fem *f, double t, double dt)
     }
 }
 
+typedef struct Move {
+    Fem *f;
+    double t, dt, dt_v;
+} Move;
+
+static void pull_chunks(void *own, int first, int last)
+{
+    const Move *m = own;
+    for (int k = first; k < last; k++) pull_chunk(m->f, k * CHUNK, m->t);
+}
+
+static void move_blocks(void *own, int first, int last)
+{
+    const Move *m = own;
+    for (int k = first; k < last; k++) move_block(m->f, k * BLOCK, m->t, m->dt, m->dt_v);
+}
+
 void fem_move(Fem *f, double t, double dt, bool first)
 {
     const double before = first ? 0 : f->dt_before > 0 ? f->dt_before : dt;
     const double dt_v = 0.5 * (before + dt); /* from the middle of one step to that of the next */
-    const int slots = f->integrate ? f->slots : 0;
-#pragma omp parallel for schedule(static) num_threads(f->threads)
-    for (int start = 0; start < slots; start += CHUNK) pull_chunk(f, start, t);
+    Move all = {f, t, dt, dt_v};
+    if (f->integrate) team_share(f->threads, f->slots / CHUNK, pull_chunks, &all);
     if (f->sides) fem_load_sides(f, t);
     if (f->reactions) record_outside(f, t, dt_v);
-#pragma omp parallel for schedule(static) num_threads(f->threads)
-    for (int lo = 0; lo < f->nodes; lo += BLOCK) move_block(f, lo, t, dt, dt_v);
+    team_share(f->threads, (f->nodes + BLOCK - 1) / BLOCK, move_blocks, &all);
     if (f->sides) fem_record_work(f, t, dt);
     f->dt_before = dt;
 }

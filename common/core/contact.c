@@ -34,6 +34,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "contact.h"
+#include "common/base/team.h"
 
 /* A node that both bodies reach. */
 typedef struct Spot {
@@ -255,14 +256,26 @@ static void meet_row(Contact *c, int row, double dt, bool force)
     for (int a = 0; a < DIM && force; a++) g[0]->impulse[row][a] = impulse[a];
 }
 
+typedef struct Meeting {
+    Contact *contact;
+    double dt;
+    bool force;
+} Meeting;
+
+static void meet_rows(void *own, int first, int last)
+{
+    const Meeting *m = own;
+    const Grid *g = &m->contact->body[0]->g;
+    for (int row = first; row < last; row++)
+        if (g->lo[row] < g->hi[row]) meet_row(m->contact, row, m->dt, m->force);
+}
+
 void contact_meet(void *own, double dt, bool force)
 {
     Contact *c = own;
     Sim *sim = c->body[0];
     const Grid *g = &sim->g;
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-    for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row]) meet_row(c, row, dt, force);
+    team_share(sim->setup->threads, g->rows, meet_rows, &(Meeting){c, dt, force});
     for (int row = 0; row < g->rows && force; row++) {
         if (g->lo[row] >= g->hi[row]) continue;
         for (int a = 0; a < DIM; a++) sim->impulse[a] += g->impulse[row][a];

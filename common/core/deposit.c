@@ -5,9 +5,13 @@
 #include "moments.h"
 #include "parts.h"
 #include "passes.h"
+#include "common/base/team.h"
+#include "rows.h"
 
-static void clear_row(Grid *g, int row)
+static void clear_row(Sim *sim, int row, double unused)
 {
+    Grid *g = &sim->g;
+    (void)unused;
     const size_t start = (size_t)row * (size_t)g->n[0];
     const Line zero = g->zero; /* from memory: plain stores, not a call of memset for a short row */
     for (int i = g->lo[row]; i < g->hi[row]; i++) g->node[start + (size_t)i] = zero;
@@ -147,14 +151,6 @@ static void deposit_chunk(Sim *sim, int k, double t, Deposit what, Work *w)
         deposit_force(g, w, width);
 }
 
-static void clear_all(Sim *sim)
-{
-    Grid *g = &sim->g;
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-    for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row]) clear_row(g, row);
-}
-
 /* Adds the stress of particles on nodes, which the deposit left out. */
 static void deposit_slopes(Sim *sim, int k, Work *w)
 {
@@ -167,36 +163,55 @@ static void deposit_slopes(Sim *sim, int k, Work *w)
 
 typedef enum { ALL, ON_NODES } Which;
 
+typedef struct Blocks {
+    Sim *sim;
+    double t;
+    Deposit what;
+    Which which;
+    int parity;
+    bool on_node; /* some particle lies on a node */
+} Blocks;
+
+static void deposit_block(Blocks *all, int b)
+{
+    Sim *sim = all->sim;
+    Work w;
+    bool on_node = false;
+    for (int k = sim->block[b].first; k < sim->block[b].last; k++) {
+        if (all->which == ON_NODES)
+            deposit_slopes(sim, k, &w);
+        else if (all->what == ROUND)
+            deposit_round(sim, k, &w);
+        else if (sim->method.list)
+            deposit_listed(sim, k, all->t, all->what, &w);
+        else
+            deposit_chunk(sim, k, all->t, all->what, &w);
+        on_node = on_node || w.on_node;
+    }
+    if (!on_node) return;
+#pragma omp atomic write
+    all->on_node = true;
+}
+
+static void deposit_of_parity(void *own, int first, int last)
+{
+    Blocks *all = own;
+    for (int k = first; k < last; k++) deposit_block(all, 2 * k + all->parity);
+}
+
 /* Even blocks, then odd blocks: blocks of equal parity share no node, so every node's sum is formed
  * in the same order for any number of threads. Returns true if some particle lies on a node. */
 static bool deposit_blocks(Sim *sim, double t, Deposit what, Which which)
 {
-    bool on_node = false;
-#pragma omp parallel num_threads(sim->setup->threads) reduction(|| : on_node)
-    {
-        Work w;
-        for (int parity = 0; parity < 2; parity++) {
-#pragma omp for schedule(dynamic, 1)
-            for (int b = parity; b < sim->nblock; b += 2)
-                for (int k = sim->block[b].first; k < sim->block[b].last; k++) {
-                    if (which == ON_NODES)
-                        deposit_slopes(sim, k, &w);
-                    else if (what == ROUND)
-                        deposit_round(sim, k, &w);
-                    else if (sim->method.list)
-                        deposit_listed(sim, k, t, what, &w);
-                    else
-                        deposit_chunk(sim, k, t, what, &w);
-                    on_node = on_node || w.on_node;
-                }
-        }
-    }
-    return on_node;
+    Blocks all = {sim, t, what, which, 0, false};
+    for (; all.parity < 2; all.parity++)
+        team_take(sim->setup->threads, (sim->nblock + 1 - all.parity) / 2, deposit_of_parity, &all);
+    return all.on_node;
 }
 
 void deposit_all(Sim *sim, double t, Deposit what)
 {
-    clear_all(sim);
+    rows_each(sim, clear_row, 0);
     if (sim->method.assemble) {
         sim->method.assemble(sim, t, what == FORCES);
         return;

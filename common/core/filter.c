@@ -2,23 +2,35 @@
  * particles to nodes by mass, the grid velocity v becomes sum_l c_l (S+ S)^l v.
  * Hammerquist & Nairn 2017; Nairn & Hammerquist 2021. Each round is a gather and a deposit more. */
 #include "passes.h"
+#include "common/base/team.h"
 
 /* Lanes of Grid.keep: the sum, v and a before filtering, the mass of the real particles. */
 enum { K_SUM = 0, K_V = DIM, K_A = 2 * DIM, K_MASS = LANES - 1 };
 
 typedef void VisitNode(Line *node, Line *keep, double c, double impulse[DIM]);
 
-static void each_node(Sim *sim, VisitNode *visit, double c)
+typedef struct Visit {
+    const Grid *g;
+    VisitNode *node;
+    double c;
+} Visit;
+
+static void visit_rows(void *own, int first, int last)
 {
-    Grid *g = &sim->g;
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-    for (int row = 0; row < g->rows; row++) {
+    const Visit *v = own;
+    const Grid *g = v->g;
+    for (int row = first; row < last; row++) {
         for (int a = 0; a < DIM; a++) g->impulse[row][a] = 0;
         for (int i = g->lo[row]; i < g->hi[row]; i++) {
             const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-            visit(&g->node[at], &g->keep[at], c, g->impulse[row]);
+            v->node(&g->node[at], &g->keep[at], v->c, g->impulse[row]);
         }
     }
+}
+
+static void each_node(Sim *sim, VisitNode *visit, double c)
+{
+    team_share(sim->setup->threads, sim->g.rows, visit_rows, &(Visit){&sim->g, visit, c});
 }
 
 static void note_mass(Line *node, Line *keep, double c, double impulse[DIM])

@@ -5,6 +5,7 @@
 #include "parts.h"
 #include "passes.h"
 #include "strain.h"
+#include "common/base/team.h"
 
 /* Extremes of one block of particles, kept per lane so that the loops vectorize; and whether any
  * went wrong. */
@@ -140,47 +141,59 @@ void gather_gradient(Sim *sim, double *const L[NMAT], double *const D[DIM])
     }
 }
 
+static void gather_velocities(void *own, int first, int last)
+{
+    Sim *sim = own;
+    Work w;
+    for (int k = first; k < last; k++) {
+        const Chunk c = sim_chunk(sim, k);
+        const int width = sim->method.list ? 0 : make_stencils(sim, &c, &w);
+        if (!width)
+            make_list(sim, &c, &w), gather_list(&sim->g, &w);
+        else if (width == 3)
+            gather_half(&sim->g, &w, 3);
+        else
+            gather_half(&sim->g, &w, width);
+        for (int p = 0; p < CHUNK; p++)
+            for (int a = 0; a < DIM; a++) c.w[a][p] = w.A[p][a];
+    }
+}
+
 void gather_velocity(Sim *sim)
 {
-    const int chunks = sim->p.n / CHUNK;
-#pragma omp parallel num_threads(sim->setup->threads)
+    team_share(sim->setup->threads, sim->p.n / CHUNK, gather_velocities, sim);
+}
+
+typedef struct Gather {
+    Sim *sim;
+    double dt;
+    unsigned take;
+    double move, half; /* the largest of all chunks so far */
+    int bad;
+} Gather;
+
+static void gather_chunks(void *own, int first, int last)
+{
+    Gather *all = own;
+    Work w;
+    Extremes e = {0};
+    for (int k = first; k < last; k++) gather_chunk(all->sim, k, all->dt, all->take, &w, &e);
+#pragma omp critical
     {
-        Work w;
-#pragma omp for schedule(static)
-        for (int k = 0; k < chunks; k++) {
-            const Chunk c = sim_chunk(sim, k);
-            const int width = sim->method.list ? 0 : make_stencils(sim, &c, &w);
-            if (!width)
-                make_list(sim, &c, &w), gather_list(&sim->g, &w);
-            else if (width == 3)
-                gather_half(&sim->g, &w, 3);
-            else
-                gather_half(&sim->g, &w, width);
-            for (int p = 0; p < CHUNK; p++)
-                for (int a = 0; a < DIM; a++) c.w[a][p] = w.A[p][a];
+        for (int p = 0; p < CHUNK; p++) {
+            all->move = fmax(all->move, e.move[p]);
+            all->half = fmax(all->half, e.half[p]);
         }
+        all->bad |= e.bad;
     }
 }
 
 bool gather_all(Sim *sim, double dt, unsigned take)
 {
-    double move = 0, half = 0;
-    int bad = 0;
-    const int chunks = sim->p.n / CHUNK;
-#pragma omp parallel num_threads(sim->setup->threads) reduction(max : move, half) reduction(| : bad)
-    {
-        Work w;
-        Extremes e = {0};
-#pragma omp for schedule(static)
-        for (int k = 0; k < chunks; k++) gather_chunk(sim, k, dt, take, &w, &e);
-        for (int p = 0; p < CHUNK; p++) {
-            move = fmax(move, e.move[p]);
-            half = fmax(half, e.half[p]);
-        }
-        bad |= e.bad;
-    }
-    if (!sim->total) sim->travel += move;
+    Gather all = {.sim = sim, .dt = dt, .take = take};
+    team_share(sim->setup->threads, sim->p.n / CHUNK, gather_chunks, &all);
+    if (!sim->total) sim->travel += all.move;
     const unsigned widens = sim->method.list ? TAKE_X | TAKE_F | MOVE_STASH : TAKE_F;
-    if (take & widens) sim->half_now = fmin(half, sim->half_max);
-    return bad;
+    if (take & widens) sim->half_now = fmin(all.half, sim->half_max);
+    return all.bad;
 }

@@ -29,6 +29,7 @@
  * mass if its image has. */
 #include "passes.h"
 #include "scheme.h"
+#include "rows.h"
 
 /* Is particle p on a node of this axis? (S is f and 1 - f.) */
 static bool lies_on_node(const Stencil *s, int p)
@@ -42,9 +43,10 @@ void on_node_clear_slopes(Stencil *s)
         if (lies_on_node(s, p)) s->table[T_G][0][p] = s->table[T_G][1][p] = 0;
 }
 
-static void mark_row(Sim *sim, int row)
+static void mark_row(Sim *sim, int row, double unused)
 {
     Grid *g = &sim->g;
+    (void)unused;
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
         g->body[at] = g->node[at][0] > sim->mass_body;
@@ -65,9 +67,7 @@ static void unfold_mark(Sim *sim, const Mirror *m, size_t ghost, size_t image, i
 
 void on_node_mark_body(Sim *sim)
 {
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-    for (int row = 0; row < sim->g.rows; row++)
-        if (sim->g.lo[row] < sim->g.hi[row]) mark_row(sim, row);
+    rows_each(sim, mark_row, 0);
     mirror_visit_pairs(sim, false, fold_mark, NULL);
     mirror_visit_pairs(sim, true, unfold_mark, NULL);
 }

@@ -1,5 +1,6 @@
 /* solve.c: the nodes' equations of motion (passes.h): W11 eqs 25, 26 with walls. */
 #include "passes.h"
+#include "common/base/team.h"
 
 /* What all nodes of a pass share. `early`: internal forces enter the ledger as deposited, before
  * symmetry or a repair changes them, because over all nodes they sum to zero. (A repair records
@@ -202,6 +203,21 @@ static void solve_row(Sim *sim, const Motion *motion, int row)
     g->live[row] = live;
 }
 
+typedef struct Equations {
+    Sim *sim;
+    const Motion *motion;
+} Equations;
+
+static void solve_rows(void *own, int first, int last)
+{
+    const Equations *e = own;
+    const Grid *g = &e->sim->g;
+    for (int row = first; row < last; row++)
+        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0) &&
+            !solve_free_row(e->sim, e->motion, row))
+            solve_row(e->sim, e->motion, row);
+}
+
 void solve_all(Sim *sim, double dt, double scale, bool force)
 {
     Grid *g = &sim->g;
@@ -215,11 +231,7 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
     if (g->nmirror) mirror_fold(sim);
     if (g->work && force) record_wall_work(sim, dt);
     if (sim->method.repair) sim->method.repair(sim, dt * scale);
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-    for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0) &&
-            !solve_free_row(sim, &motion, row))
-            solve_row(sim, &motion, row);
+    team_share(sim->setup->threads, g->rows, solve_rows, &(Equations){sim, &motion});
     if (g->nmirror) mirror_unfold(sim, motion.given);
     if (sim->method.wall_images) mirror_wall_images(sim);
     long live = 0;

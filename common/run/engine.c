@@ -178,7 +178,8 @@ static int weight(const char *name, double x, double l, double *S, double *G)
     Stencil s;
     for (int p = 0; p < CHUNK; p++) at[p] = x + (double)MAX_WIDTH, half[p] = l;
     for (const Method *const *m = methods; *m; m++) {
-        if (strcmp((*m)->info.name, name) || (*m)->list) continue;
+        if (strcmp((*m)->info.name, name) != 0) continue;
+        if ((*m)->list) return 1;
         const int width = (*m)->width(l);
         (*m)->shape(&open_axis, width, at, half, &s);
         const long long node = (long long)MAX_WIDTH - s.base[0];

@@ -35,8 +35,8 @@ typedef struct Engine {
     int (*has_exact)(const char *problem);
 
     /* 1D weights S [-] and gradients G [1/m] that a particle at x with half width l (cell size 1,
-     * node at 0) gives that node, for drawing and for tests. 0, or -1 if the method is unknown or
-     * its weights are no products of axes. */
+     * node at 0) gives that node, for drawing and for tests. 0; 1 if the method's weights are no
+     * products of axes; -1 if it has no grid or is unknown. */
     int (*weight)(const char *method, double x, double l, double *S, double *G);
 } Engine;
 

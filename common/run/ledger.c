@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 #include "ledger.h"
+#include "common/base/team.h"
 
 /* Sums of one lane each. */
 typedef struct Lanes {
@@ -75,22 +76,31 @@ static double sum_of(const Field lanes)
     return sum;
 }
 
+typedef struct Motions {
+    const Points *q;
+    double (*part)[SUMS]; /* [blocks] */
+} Motions;
+
+static void sum_motions(void *own, int first, int last)
+{
+    const Motions *m = own;
+    for (int b = first; b < last; b++) {
+        Lanes s;
+        memset(&s, 0, sizeof s);
+        for (int at = b * BLOCK; at < least_int(m->q->n, (b + 1) * BLOCK); at += CHUNK)
+            add_points(&s, m->q, at);
+        m->part[b][0] = sum_of(s.kinetic);
+        m->part[b][1] = sum_of(s.speeds);
+        for (int d = 0; d < DIM; d++) m->part[b][2 + d] = sum_of(s.p[d]);
+    }
+}
+
 Side ledger_motion(const Points *q, int threads, Scratch *scratch)
 {
     const int blocks = (q->n + BLOCK - 1) / BLOCK;
     double(*part)[SUMS] = (double(*)[SUMS])(void *)scratch->w;
     Side out = {0};
-    (void)threads; /* without OpenMP */
-#pragma omp parallel for schedule(static) num_threads(threads)
-    for (int b = 0; b < blocks; b++) {
-        Lanes s;
-        memset(&s, 0, sizeof s);
-        for (int at = b * BLOCK; at < least_int(q->n, (b + 1) * BLOCK); at += CHUNK)
-            add_points(&s, q, at);
-        part[b][0] = sum_of(s.kinetic);
-        part[b][1] = sum_of(s.speeds);
-        for (int d = 0; d < DIM; d++) part[b][2 + d] = sum_of(s.p[d]);
-    }
+    team_share(threads, blocks, sum_motions, &(Motions){q, part});
     for (int b = 0; b < blocks; b++) {
         out.kinetic += part[b][0];
         out.mv += part[b][1];
@@ -99,19 +109,29 @@ Side ledger_motion(const Points *q, int threads, Scratch *scratch)
     return out;
 }
 
+typedef struct Strains {
+    const Samples *q;
+    const Material *mat;
+    double *part; /* [blocks] */
+} Strains;
+
+static void sum_strains(void *own, int first, int last)
+{
+    const Strains *e = own;
+    for (int b = first; b < last; b++) {
+        Lanes s;
+        memset(s.strain, 0, sizeof s.strain);
+        for (int at = b * BLOCK; at < least_int(e->q->n, (b + 1) * BLOCK); at += CHUNK)
+            add_strain(&s, e->mat, e->q, at);
+        e->part[b] = sum_of(s.strain);
+    }
+}
+
 double ledger_strain(const Scene *scene, const Samples *q, int threads, Scratch *scratch)
 {
     const int blocks = (q->n + BLOCK - 1) / BLOCK;
     double *part = scratch->w, sum = 0;
-    (void)threads;
-#pragma omp parallel for schedule(static) num_threads(threads)
-    for (int b = 0; b < blocks; b++) {
-        Lanes s;
-        memset(s.strain, 0, sizeof s.strain);
-        for (int at = b * BLOCK; at < least_int(q->n, (b + 1) * BLOCK); at += CHUNK)
-            add_strain(&s, &scene->mat, q, at);
-        part[b] = sum_of(s.strain);
-    }
+    team_share(threads, blocks, sum_strains, &(Strains){q, &scene->mat, part});
     for (int b = 0; b < blocks; b++) sum += part[b];
     return sum;
 }

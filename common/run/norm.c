@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "norm.h"
+#include "common/base/team.h"
 
 bool norm_scratch_fit(Scratch *s, int n)
 {
@@ -56,12 +57,26 @@ static void displacement_errors(const Scene *scene, const Points *p, double t, i
     }
 }
 
+typedef struct Displacements {
+    const Scene *scene;
+    const Points *p;
+    double t;
+    Scratch *s;
+} Displacements;
+
+enum { BLOCK = 16 * CHUNK };
+
+static void blocks_of_errors(void *own, int first, int last)
+{
+    const Displacements *d = own;
+    for (int b = first; b < last; b++)
+        displacement_errors(d->scene, d->p, d->t, b * BLOCK, BLOCK, d->s);
+}
+
 Errors norm_displacement(const Scene *scene, const Points *p, double t, int threads, Scratch *s)
 {
-    enum { BLOCK = 16 * CHUNK };
-    (void)threads; /* without OpenMP */
-#pragma omp parallel for schedule(static) num_threads(threads)
-    for (int at = 0; at < p->n; at += BLOCK) displacement_errors(scene, p, t, at, BLOCK, s);
+    team_share(threads, (p->n + BLOCK - 1) / BLOCK, blocks_of_errors,
+               &(Displacements){scene, p, t, s});
     return norms(p->n, s->w, p->V0);
 }
 

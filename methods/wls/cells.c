@@ -4,6 +4,7 @@
  * linear functions there, weights S. Full cells have one point. */
 #include <string.h>
 #include "wls.h"
+#include "common/core/rows.h"
 
 static const double centre[3] = {0.5, 0.5, 0.5};
 
@@ -261,30 +262,33 @@ static inline void take_row(Sim *sim, int row, Task task)
     }
 }
 
-/* Even rows of cells, then odd ones: two of one parity share no node. (In 3D planes alternate,
- * too.) */
-static inline void take_all(Sim *sim, Task task)
+/* The parities of a row of cells, a bit an axis: rows whose parities are equal share no node. */
+static int parities(const Grid *g, int row)
 {
-    const Grid *g = &sim->g;
-    for (int turn = 0; turn < CORNERS / 2; turn++) {
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-        for (int row = 0; row < g->rows; row++) {
-            int own = 0, rest = row;
-            for (int d = 1; d < DIM; d++) {
-                own |= (rest % g->n[d] & 1) << (d - 1);
-                rest /= g->n[d];
-            }
-            if (own == turn && g->lo[row] < g->hi[row]) take_row(sim, row, task);
-        }
+    int bits = 0;
+    for (int d = 1; d < DIM; d++) {
+        bits |= (row % g->n[d] & 1) << (d - 1);
+        row /= g->n[d];
     }
+    return bits;
+}
+
+static void integrate_row(Sim *sim, int row, double turn)
+{
+    if (parities(&sim->g, row) == (int)turn) take_row(sim, row, INTEGRATE);
+}
+
+static void multiply_row(Sim *sim, int row, double turn)
+{
+    if (parities(&sim->g, row) == (int)turn) take_row(sim, row, MULTIPLY);
 }
 
 void wls_integrate(Sim *sim)
 {
-    take_all(sim, INTEGRATE);
+    for (int turn = 0; turn < CORNERS / 2; turn++) rows_each(sim, integrate_row, turn);
 }
 
 void wls_mass_times(Sim *sim)
 {
-    take_all(sim, MULTIPLY);
+    for (int turn = 0; turn < CORNERS / 2; turn++) rows_each(sim, multiply_row, turn);
 }

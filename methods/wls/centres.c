@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "wls.h"
+#include "common/core/rows.h"
 
 typedef struct Centres {
     Wls node, cell;
@@ -55,8 +56,10 @@ static bool is_within(const Grid *g, int row, int i)
     return true;
 }
 
-static void solve_cells(const Sim *sim, Centres *c, int row)
+static void solve_cells(Sim *sim, int row, double unused)
 {
+    Centres *c = sim->own;
+    (void)unused;
     const Grid *g = &sim->g;
     const double least = pow(7 / 8.0, DIM);
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
@@ -79,9 +82,11 @@ static void add_cell(const Sim *sim, const Centres *c, size_t cell, int k, Line 
 }
 
 /* Adds to each node of a row the forces of its cells, always in the same order. */
-static void add_forces(Sim *sim, const Centres *c, int row)
+static void add_forces(Sim *sim, int row, double unused)
 {
+    const Centres *c = sim->own;
     Grid *g = &sim->g;
+    (void)unused;
     for (int k = 0; k < CORNERS; k++) {
         int below = row, stride = 1;
         for (int d = 1; d < DIM; stride *= g->n[d++]) below -= (k >> d & 1) * stride;
@@ -97,26 +102,20 @@ static void add_forces(Sim *sim, const Centres *c, int row)
 
 void wls_integrate_centres(Sim *sim)
 {
-    const Grid *g = &sim->g;
-    Centres *c = sim->own;
-    wls_deposit(sim, &c->cell, 0, true);
-#pragma omp parallel num_threads(sim->setup->threads)
-    {
-#pragma omp for schedule(static)
-        for (int row = 0; row < g->rows; row++)
-            if (g->lo[row] < g->hi[row]) solve_cells(sim, c, row);
-#pragma omp for schedule(static)
-        for (int row = 0; row < g->rows; row++)
-            if (g->lo[row] < g->hi[row]) add_forces(sim, c, row);
-    }
+    wls_deposit(sim, &((Centres *)sim->own)->cell, 0, true);
+    rows_each(sim, solve_cells, 0);
+    rows_each(sim, add_forces, 0);
 }
 
 /* Sets the momenta of a row to mass times the fitted velocity; spurious nodes take the mean, and
  * are counted. */
-static void set_velocities(Sim *sim, Wls *w, int row)
+static void set_velocities(Sim *sim, int row, double unused)
 {
     const Grid *g = &sim->g;
+    Wls *w = &((Centres *)sim->own)->node;
     int index[DIM];
+    (void)unused;
+    if (mirror_is_ghost_row(g, row, 0)) return;
     w->fallbacks[row] = 0;
     wls_index_of(g, row, 0, index);
     for (index[0] = g->lo[row]; index[0] < g->hi[row]; index[0]++) {
@@ -134,11 +133,8 @@ void wls_repair_centres(Sim *sim, double dt)
 {
     const Grid *g = &sim->g;
     Wls *w = &((Centres *)sim->own)->node;
-    (void)dt;
     wls_deposit(sim, w, 0, false);
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-    for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0)) set_velocities(sim, w, row);
+    rows_each(sim, set_velocities, dt);
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
             sim->fallbacks += w->fallbacks[row];

@@ -12,6 +12,7 @@
  *
  * Real cells alone are summed: on a symmetry line the mirrored half doubles M a0 and D alike. */
 #include "wls.h"
+#include "common/core/rows.h"
 
 unsigned wls_held(const Grid *g, int row, int i)
 {
@@ -107,15 +108,10 @@ static void finish_row(Sim *sim, int row, double dt)
 
 void wls_correct(Sim *sim, double dt)
 {
-    const Grid *g = &sim->g;
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-    for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row]) start_row(sim, row, dt);
+    rows_each(sim, start_row, dt);
     if (wls_of(sim)->folded) wls_spread(sim, dt);
     wls_mass_times(sim);
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-    for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row]) finish_row(sim, row, dt);
+    rows_each(sim, finish_row, dt);
 }
 
 /* a of a spurious node from pairs of good ones with mass, weights m_j; false: there are none. */

@@ -6,6 +6,7 @@
 #include <math.h>
 #include "kernel.h"
 #include "space.h"
+#include "common/base/team.h"
 
 /* Do the sums of a row of nodes fit into the registers? */
 enum { RUNS = 3 * FIT * (int)sizeof(Line) <= (int)REGISTERS * VECTOR_BYTES };
@@ -242,21 +243,37 @@ static void clear_row(const Grid *g, Wls *w, int row)
     }
 }
 
+typedef struct Deposits {
+    Sim *sim;
+    Wls *wls;
+    double t;
+    bool force;
+    int parity;
+} Deposits;
+
+static void clear_rows(void *own, int first, int last)
+{
+    const Deposits *all = own;
+    const Grid *g = &all->sim->g;
+    for (int row = first; row < last; row++)
+        if (g->lo[row] < g->hi[row]) clear_row(g, all->wls, row);
+}
+
+static void deposit_blocks(void *own, int first, int last)
+{
+    const Deposits *all = own;
+    Deposit w;
+    for (int b = 2 * first + all->parity; b < 2 * last + all->parity; b += 2)
+        for (int k = all->sim->block[b].first; k < all->sim->block[b].last; k++)
+            deposit_chunk(all->sim, all->wls, k, all->t, all->force, &w);
+}
+
 void wls_deposit(Sim *sim, Wls *wls, double t, bool force)
 {
-    Grid *g = &sim->g;
-#pragma omp parallel num_threads(sim->setup->threads)
-    {
-        Deposit w;
-#pragma omp for schedule(static)
-        for (int row = 0; row < g->rows; row++)
-            if (g->lo[row] < g->hi[row]) clear_row(g, wls, row);
-        for (int parity = 0; parity < 2; parity++) {
-#pragma omp for schedule(dynamic, 1)
-            for (int b = parity; b < sim->nblock; b += 2)
-                for (int k = sim->block[b].first; k < sim->block[b].last; k++)
-                    deposit_chunk(sim, wls, k, t, force, &w);
-        }
-    }
-    if (g->nmirror) wls_fold(sim, wls);
+    const int threads = sim->setup->threads;
+    Deposits all = {sim, wls, t, force, 0};
+    team_share(threads, sim->g.rows, clear_rows, &all);
+    for (; all.parity < 2; all.parity++) /* blocks of equal parity share no node */
+        team_take(threads, (sim->nblock + 1 - all.parity) / 2, deposit_blocks, &all);
+    if (sim->g.nmirror) wls_fold(sim, wls);
 }

@@ -131,6 +131,7 @@ void wls_repair_row(Sim *sim, int row, double dt)
 {
     const Grid *g = &sim->g;
     int index[DIM], rest = row;
+    if (mirror_is_ghost_row(g, row, 0)) return;
     for (int d = 1; d < DIM; d++) index[d] = rest % g->n[d], rest /= g->n[d];
     for (index[0] = g->lo[row]; index[0] < g->hi[row]; index[0]++) {
         double sign[DIM], ghost = 0;

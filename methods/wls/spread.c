@@ -8,6 +8,7 @@
  * uniform a. A node that a wall holds keeps its force, which acts on the wall; the share of r_s for
  * a held component of a good neighbour does so, too, and is added to the impulse. */
 #include "wls.h"
+#include "common/core/rows.h"
 
 /* Does the node pass its force on: is it spurious, with mass, and held by no wall? (Symmetry lines
  * do not count.) */
@@ -51,9 +52,10 @@ static Sums sum_around(const Sim *sim, const int index[DIM])
 }
 
 /* r_s over the mass of its good neighbours: the acceleration that each of them gets. */
-static void give_row(Sim *sim, int row)
+static void give_row(Sim *sim, int row, double unused)
 {
     const Grid *g = &sim->g;
+    (void)unused;
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
         Inertia *own = &wls_of(sim)->inertia[at];
@@ -101,9 +103,10 @@ static void take_row(Sim *sim, int row, double dt)
     }
 }
 
-static void clear_row(Sim *sim, int row)
+static void clear_row(Sim *sim, int row, double unused)
 {
     const Grid *g = &sim->g;
+    (void)unused;
     const size_t start = (size_t)row * (size_t)g->n[0];
     for (size_t at = start + (size_t)g->lo[row]; at < start + (size_t)g->hi[row]; at++)
         wls_of(sim)->inertia[at].product = (Half){0};
@@ -111,17 +114,7 @@ static void clear_row(Sim *sim, int row)
 
 void wls_spread(Sim *sim, double dt)
 {
-    const Grid *g = &sim->g;
-#pragma omp parallel num_threads(sim->setup->threads)
-    {
-#pragma omp for schedule(static)
-        for (int row = 0; row < g->rows; row++)
-            if (g->lo[row] < g->hi[row]) give_row(sim, row);
-#pragma omp for schedule(static)
-        for (int row = 0; row < g->rows; row++)
-            if (g->lo[row] < g->hi[row]) take_row(sim, row, dt);
-#pragma omp for schedule(static)
-        for (int row = 0; row < g->rows; row++)
-            if (g->lo[row] < g->hi[row]) clear_row(sim, row);
-    }
+    rows_each(sim, give_row, dt);
+    rows_each(sim, take_row, dt);
+    rows_each(sim, clear_row, dt);
 }

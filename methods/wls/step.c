@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include "methods/parts/shapes.h"
 #include "wls.h"
+#include "common/core/rows.h"
 
 static void *nodes_of(size_t n, size_t size)
 {
@@ -90,7 +91,7 @@ void wls_adapt(const double par[], Method *own)
     own->wall_images = true;
 }
 
-static void solve_row(Sim *sim, int row)
+static void solve_row(Sim *sim, int row, double t)
 {
     const Grid *g = &sim->g;
     Wls *w = wls_of(sim);
@@ -100,50 +101,42 @@ static void solve_row(Sim *sim, int row)
         const bool whole = wls_solve_node(w, at);
         w->fallbacks[row] += !whole && w->fit[at][FIT_MOMENTS][M_BETA] > 0;
     }
+    wls_distances(sim, row, t);
 }
 
 void wls_assemble(Sim *sim, double t, bool force)
 {
-    const Grid *g = &sim->g;
     wls_deposit(sim, wls_of(sim), t, force);
     if (wls_of(sim)->count) wls_count(sim);
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-    for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row]) {
-            solve_row(sim, row);
-            wls_distances(sim, row, t);
-        }
+    rows_each(sim, solve_row, t);
     wls_integrate(sim);
 }
 
-/* Returns whether a node has mass. */
-static bool mark_sound(Sim *sim, int row)
+/* Good nodes with mass are sound; the body stands where any has mass. */
+static void mark_sound(Sim *sim, int row, double unused)
 {
     const Grid *g = &sim->g;
     Wls *w = wls_of(sim);
     bool any = false;
+    (void)unused;
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
         const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
         const bool massive = g->node[at][0] > sim->mass_cut;
         if (w->good[at] && massive) w->good[at] |= SOUND;
         any |= massive;
     }
-    return any;
+    if (!any) return;
+#pragma omp atomic write
+    w->body = true;
 }
 
 void wls_repair(Sim *sim, double dt)
 {
     const Grid *g = &sim->g;
-    bool any = false;
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads) reduction(|| : any)
-    for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row]) any = mark_sound(sim, row) || any;
-    wls_of(sim)->body = any;
+    wls_of(sim)->body = false;
+    rows_each(sim, mark_sound, dt);
     if (wls_of(sim)->inertia) wls_correct(sim, dt);
-#pragma omp parallel for schedule(static) num_threads(sim->setup->threads)
-    for (int row = 0; row < g->rows; row++)
-        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
-            wls_repair_row(sim, row, dt);
+    rows_each(sim, wls_repair_row, dt);
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row]) sim->fallbacks += wls_of(sim)->fallbacks[row];
 }

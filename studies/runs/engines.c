@@ -50,7 +50,7 @@ bool engine_has_problem(const Engine *engine, const char *name)
 bool engine_has_grid(const Engine *engine, const char *method)
 {
     double S, G;
-    return engine->weight(method, 0, 0.25, &S, &G) == 0;
+    return engine->weight(method, 0, 0.25, &S, &G) >= 0;
 }
 
 static int gather(const Info *const *list, const char *names[], int n, int max)

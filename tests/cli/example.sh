@@ -5,7 +5,10 @@
 set -u
 # shellcheck source=tests/cli/checks.sh
 source "$(dirname "$0")/checks.sh"
-# The copy is built with the settings of this build, whose objects it starts from; not in its jobserver.
+# The copy is built with the settings of this build, not in its jobserver. It starts from its objects, in a folder of the
+# same name, since their lists of headers name them by it; an absolute name would lead back here.
+case $1 in /*) built= ;; *) built=${1%/*} ;; esac
+build=${built:-build}
 case ${MAKEFLAGS-} in *' -- '*) MAKEFLAGS=" -- ${MAKEFLAGS##* -- }" ;; *) unset MAKEFLAGS ;; esac
 root=$(realpath "$(dirname "$0")/../..")
 mkdir -p "$1"
@@ -18,12 +21,12 @@ unchanged() { # TEXT ARGUMENT...: one line with the text in it, status 2, nothin
     ok "new-method $*: writes nothing" test "$before" = "$(find methods -type f -exec cksum {} + | cksum)"
 }
 compile() { # [TARGET]
-    make -s -j"$(nproc)" BUILD=build "${1:-all}" >log 2>&1 ||
+    make -s -j"$(nproc)" BUILD="$build" "${1:-all}" >log 2>&1 ||
         { head -n 20 log >&2; false; }
 }
 invariants() { # DIM: of every method in the list
-    compile "build/tests/core_$1d" || return 1
-    ONLY=invariants OMP_WAIT_POLICY=passive "build/tests/core_$1d" >log || { grep -A 3 'had failures' log >&2; false; }
+    compile "$build/tests/core_$1d" || return 1
+    ONLY=invariants OMP_WAIT_POLICY=passive "$build/tests/core_$1d" >log || { grep -A 3 'had failures' log >&2; false; }
 }
 failed_range() { ! "$program" run free_bar --method blend --set alpha=2 >out 2>err && grep -q 'alpha' err; }
 # readme FILE: README's code that begins with the first line of this file is all of it.
@@ -36,10 +39,10 @@ readme() {
 rm -rf "$tree"
 mkdir -p "$tree"
 cp -a "$root"/{Makefile,common,methods,problems,fem_ref,studies,plots,tests} "$tree/"
-mkdir "$tree/build"
-cp -a "$1"/../{d[1-3],common,studies,facts.h} "$tree/build/" # objects with their times, as make compares them
+mkdir -p "$tree/$build"
+[ -z "$built" ] || cp -a "$built"/{d[1-3],common,studies,facts.h} "$tree/$build/" # with their times, which make compares
 cd "$tree" || exit 1
-program=build/mpmlab
+program=$build/mpmlab
 ok "the copy compiles" compile
 for file in "$root"/tests/{problems/example_problem.c,studies/example_study.c} \
     "$root"/tests/studies/example_plot.gp "$root"/methods/flip_pic.c; do

@@ -145,6 +145,9 @@ static void test_known_values(void)
     }
     CU_ASSERT(ENGINE_NAME.weight("mpm", 0.3, 0.25, &S, &G) == 0);
     CHECK_CLOSE(S, 0.7, 1e-14); /* computed at 33.3: 7e-15 */
+    for (const Method *const *m = methods; *m; m++)
+        CU_ASSERT(ENGINE_NAME.weight((*m)->info.name, 0.3, 0.25, &S, &G) == ((*m)->list ? 1 : 0));
+    CU_ASSERT(ENGINE_NAME.weight("fem", 0.3, 0.25, &S, &G) < 0);
     CU_ASSERT(ENGINE_NAME.weight("no such method", 0.3, 0.25, &S, &G) < 0);
 }
 
