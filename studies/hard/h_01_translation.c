@@ -164,7 +164,7 @@ static Span all_nodes(Ask a)
 
 static void write_grades(FILE *f, const Table *t)
 {
-    EACH_GRID_METHOD(m, &engine_2d) {
+    EACH_METHOD_OF(m, &engine_2d, t) {
         const double tiles =
             measure_worse(curve_worst(t, m->name, 1, "largest", "kind=bar").value,
                           curve_worst(t, m->name, 1, "largest", "kind=stretch").value);

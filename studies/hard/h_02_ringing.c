@@ -137,7 +137,7 @@ static Mark mark_kept(double part)
 
 static void write_grades(FILE *f, FILE *g, const Table *t)
 {
-    EACH_GRID_METHOD(m, &engine_2d) {
+    EACH_METHOD_OF(m, &engine_2d, t) {
         const double usual = last_left(t, m->name, 0).value;
         grade_add(f, "H-2", m->name, mark_kept(usual),
                   usual > 1.1 ? "grows to %.3g times what it was in %d steps"

@@ -84,7 +84,7 @@ static double fewest(const Table *t, const char *method)
 
 static void write_marks(FILE *f, const Table *t)
 {
-    EACH_GRID_METHOD(m, &engine_2d) {
+    EACH_METHOD_OF(m, &engine_2d, t) {
         const char *method = m->name;
         const double e = curve_worst(t, method, 1, "error", "case=H-6").value;
         const double least = fewest(t, method);

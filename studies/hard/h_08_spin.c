@@ -138,7 +138,9 @@ static const char *loss_note(const Table *t, const char *method, const char *var
     static const char *const where = "method=%s scene=free variant=%s";
     const double usual = fabs(select_value(t, "loss", where, method, "usual").value);
     const double loss = fabs(select_value(t, "loss", where, method, variant).value);
-    return isnan(loss) ? "lost" : phrase("%.2g -> %.2g of it lost a turn", usual, loss);
+    if (isnan(loss)) return "lost";
+    if (isnan(usual)) return phrase("lost -> %.2g of it lost a turn", loss);
+    return phrase("%.2g -> %.2g of it lost a turn", usual, loss);
 }
 
 static void write_marks(FILE *f, FILE *g, const Table *t)

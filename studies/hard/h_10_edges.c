@@ -44,7 +44,7 @@ static void write_edges(FILE *f, const Table *rows)
 
 static void write_marks(FILE *f, const Table *t)
 {
-    EACH_GRID_METHOD(m, &engine_2d) {
+    EACH_METHOD_OF(m, &engine_2d, t) {
         const double e = curve_worst(t, m->name, 1, "error", "status=ok").value;
         grade_add(f, "H-10", m->name, grade_mark_of(e, 1e-12, 1),
                   e <= 1e-12 ? "linear fields exact at edges, corners, gaps"

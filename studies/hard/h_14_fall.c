@@ -53,7 +53,7 @@ static Measure worst(const Table *rows, const char *method, int from, int to)
 static void tables(const Results *r)
 {
     FILE *f = grades_write(r);
-    EACH_METHOD(m, &engine_2d) {
+    EACH_METHOD_OF(m, &engine_2d, r->rows) {
         const double e = worst(r->rows, m->name, 0, WHOLE).value;
         grade_add(f, "H-14", m->name, grade_mark_of(e, 1e-12, 1e-3), "off by %.1g m", e);
     }

@@ -146,7 +146,7 @@ static void tables(const Results *r)
                 acceleration(r, rigid_mu[k], r->quick ? 8 : 16).value,
                 fmax(0, rigid_acceleration(atof(rigid_mu[k]))));
     f = grades_write(r);
-    EACH_BOTH(m) {
+    EACH_METHOD_OF(m, &engine_2d, r->rows) {
         const double back = energy_back(r, m->name).value;
         grade_add(f, "H-16", m->name, grade_mark_of(fabs(back - 1), 0.05, 0.2),
                   "energy after the collision of two disks %.3g of that before", back);

@@ -1,6 +1,8 @@
 /* grades.c: see grades.h. */
 #include "grades.h"
 
+#include <string.h>
+
 const char *const grade_mark_names[MARKS] = {"ok", "weak", "lost"};
 
 FILE *grades_write(const Results *results)
@@ -26,7 +28,8 @@ void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, c
     char text[256];
     PHRASE_INTO(text, note);
     fprintf(f, "%s,%s,%s,", hard_case, method, grade_mark_names[grade]);
-    table_put_cell(f, text);
+    const bool lost = strstr(text, "nan"); /* the note's number: a run left none */
+    table_put_cell(f, lost ? "a run was lost" : text);
     putc('\n', f);
 }
 

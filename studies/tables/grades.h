@@ -22,6 +22,12 @@ extern const char *const grade_mark_names[MARKS]; /* "ok" "weak" "lost" */
 #define FREE_C    131.559
 #define FREE_TURN (2 * M_PI * 0.7071 / (0.2 * FREE_C))
 
+/* Each method of an engine that the table has rows of, as `const Info *m`: what was not run has no
+ * grade. */
+#define EACH_METHOD_OF(m, engine, table)                                                           \
+    EACH_METHOD(m, engine)                                                                         \
+        if (select_next(table, -1, "method=%s", m->name) >= 0)
+
 /* Begin NAME.grades.csv and NAME.remedies.csv, in tables(). */
 FILE *grades_write(const Results *results);
 FILE *grades_write_remedies(const Results *results);

@@ -11,6 +11,7 @@
 #include "common/base/info.h"
 #include "studies/engine/claims.h"
 #include "studies/engine/results.h"
+#include "studies/select.h"
 #include "tests/check.h"
 #include "trial.h"
 
@@ -120,6 +121,22 @@ static bool all_can_fail(const Trial *t)
     return n == t->study->page->claims;
 }
 
+/* Grades are of methods that were run, and say no number that was not measured. */
+static void check_grades(const Study *study)
+{
+    Table *rows = table_read_part(dir, study->name, NULL, NULL);
+    Table *grades = table_read_part(dir, study->name, "grades", NULL);
+    for (int k = 0; rows && grades && k < grades->nrow; k++) {
+        const char *method = table_text(grades, k, "method"), *note = table_text(grades, k, "note");
+        const bool ran = select_next(rows, -1, "method=%s", method) >= 0;
+        const bool wrong = !ran || strstr(note, "nan") || strstr(note, "inf ");
+        if (wrong) printf("%s: grade of %s: %s\n", study->name, method, note);
+        CU_ASSERT(!wrong);
+    }
+    table_free(rows);
+    table_free(grades);
+}
+
 /* First the rows of the runs, then their files, with the page's tables made of them and without;
  * until each claim has failed. */
 static void try_all(Trial *t)
@@ -132,6 +149,7 @@ static void try_all(Trial *t)
         if (all_can_fail(t)) return;
         trial_rows(t->study, &t->cases, dir, -1, rows[k]);
         judge(t, true);
+        if (rows[k] == LOST_RUN) check_grades(t->study);
     }
     for (size_t k = 0; k < sizeof changes / sizeof *changes && !all_can_fail(t); k++) {
         change_files(t->study, &changes[k]);
