@@ -94,7 +94,7 @@ $(foreach d,1 2 3,$(eval $(call dimension,$(d))))
 # make figures QUICK=--quick: all figures from short runs, in minutes, without verdicts
 QUICK =
 
-figures: ## all studies, claims and build/out/index.html: 15 minutes on 2 cores; with QUICK=--quick: 2
+figures: ## all studies, claims and build/out/index.html: 12 minutes on 2 cores; with QUICK=--quick: 2
 	@$(MAKE) --no-print-directory -j$(JOBS) all
 	$(BUILD)/mpmlab study all $(QUICK) --jobs $(JOBS)
 	$(if $(QUICK),,$(BUILD)/mpmlab claims && bash tests/tools/reach_table.sh $(BUILD)/out >$(BUILD)/out/reach.md)

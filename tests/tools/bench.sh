@@ -21,6 +21,7 @@ cases+=("mpm-cd|free_block --method mpm --integrator cd --set steps=40"
     "gimp-1e4|free_block --cells 50 --set steps=250" "gimp-1e6|free_block --cells 512 --set steps=20"
     "gimp-run|free_block --set steps=400" "gimp-2-threads|free_block --threads 2 --set steps=40"
     "gimp-box-15|free_block --set box=15 --set steps=40"
+    "gimp-40|sine_bar --method gimp --cells 20 --ppc 2 --cfl .1 --t-end 1" # what a step costs beside its particles
     "gimp-1d|free_block --cells 16384 --set dim=1 --set steps=40"
     "fem-elements|ring --method fem --cells 128 --set steps=100"
     "fem-3d|shell --method fem --cells 16 --set steps=60")
