@@ -14,8 +14,8 @@ static void stash_numbers(Loop *l, Stash *s)
     STASH(s, l->t);
     STASH(s, l->n);
     STASH(s, l->done);
-    STASH(s, l->cpu);
-    STASH(s, l->wall);
+    STASH(s, l->steps.cpu);
+    STASH(s, l->steps.wall);
     STASH(s, l->worst);
     STASH(s, l->start);
     STASH(s, l->now);
@@ -101,6 +101,7 @@ void checkpoint_write(Loop *l, Moment *m, Side *before, bool now)
     const double t = stopwatch_wall();
     if (!l->save.path || l->code || (!now && t - l->save.last < l->save.every_s)) return;
     const SavedKey key = {l->save.command, l->save.program};
+    stopwatch_read(&l->steps);
     Stash s = {.f = saved_begin(l->save.path, &key, l->fault)};
     l->code = s.f ? 0 : FAULT_MACHINE;
     if (l->code) return;

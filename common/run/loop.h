@@ -3,6 +3,7 @@
 #define MPMLAB_LOOP_H
 
 #include <stdio.h>
+#include "common/base/stopwatch.h"
 #include "ledger.h"
 #include "output.h"
 #include "plan.h"
@@ -44,7 +45,7 @@ typedef struct Loop {
     double t;                   /* [s] start of this step */
     double unit_dt;             /* [s] h/c, or what the solver has instead */
     long n, done;               /* steps planned and finished */
-    double cpu, wall;           /* [s] inside the solver's step */
+    Stopwatch steps;            /* the solver's steps, or its projection */
     Errors worst;               /* running maxima */
     double start, now, largest; /* K + S - W at the start and now, largest K + S */
     double base, most;          /* [J] K + S at the start and its largest, for energy growth */

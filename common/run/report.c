@@ -93,13 +93,13 @@ void report_results(const Loop *l, Row *row)
         row->error_l2 = l->worst.l2;
         row->error_l1 = l->worst.l1;
     }
-    row->cpu_s = l->cpu;
-    row->wall_s = l->wall;
+    row->cpu_s = l->steps.cpu;
+    row->wall_s = l->steps.wall;
     say_status(l, row);
     if (l->handover.at != AT_NEVER) say_handover(l, row);
     if (problem->projection) return;
     row->dt = l->plan->adaptive && l->done > 0 ? l->t / (double)l->done : l->dt;
     if (l->instants > 1) row->energy_drift = (l->now - l->start) / l->largest;
     row->momentum_drift = l->momentum > 0 ? l->drift / l->momentum : NAN;
-    if (l->done > 0) row->ns_per_particle_step = 1e9 * l->cpu / (row->particles * row->steps);
+    if (l->done > 0) row->ns_per_particle_step = 1e9 * l->steps.cpu / (row->particles * row->steps);
 }

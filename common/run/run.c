@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 #include "loop.h"
-#include "common/base/stopwatch.h"
 #include "common/base/table.h"
 
 static Errors errors_now(Loop *l, double t)
@@ -22,10 +21,9 @@ static Errors errors_now(Loop *l, double t)
 
 static void take_step(Loop *l, double t)
 {
-    const double cpu = stopwatch_cpu(), wall = stopwatch_wall();
+    stopwatch_start(&l->steps);
     l->status = l->plan->solver->step(l->self, t, l->dt, l->done == 0);
-    l->cpu += stopwatch_cpu() - cpu;
-    l->wall += stopwatch_wall() - wall;
+    stopwatch_stop(&l->steps);
 }
 
 static void shoot(Loop *l, long step, bool last)
@@ -128,10 +126,10 @@ static void last_instant(Loop *l)
 static int project(Loop *l, Fault *fault)
 {
     Nodes nodes;
-    const double cpu = stopwatch_cpu(), wall = stopwatch_wall();
+    stopwatch_start(&l->steps);
     l->status = l->plan->solver->project(l->self);
-    l->cpu = stopwatch_cpu() - cpu;
-    l->wall = stopwatch_wall() - wall;
+    stopwatch_stop(&l->steps);
+    stopwatch_read(&l->steps);
     if (l->status.code != OK) return 0;
     l->plan->solver->nodes(l->self, &nodes);
     if (!norm_scratch_fit(&l->scratch, nodes.n))
@@ -196,6 +194,7 @@ static int run_plan(const RunSpec *spec, Loop *l, Row *row, Fault *fault)
         probe_find(&l->probes, spec, l->plan->solver, l->self);
         if (spec->errors && isnan(errors_now(l, 0).linf)) return plan_no_exact_motion(spec, fault);
         run_steps(l);
+        stopwatch_read(&l->steps);
         shoot(l, steps_moved(l), true);
     }
     if (!code) code = l->code;
