@@ -143,7 +143,7 @@ test: ## every test
 	bash tests/tools/reach_table.sh --check README.md $(BUILD)/out
 	$(AT_ONCE) $(RUN_UNIT)
 
-# Those of the program's own code, for sanitizers. Of the trials of claims, which judge each page some 40 times, the first.
+# The program's own tests, for sanitizers. Of the program `claims`, which judges every page many times, only one test.
 quick: ## the tests of the program itself, without installation and examples
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(AT_ONCE) $(QUICK_TESTS:%=run-%)

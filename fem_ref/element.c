@@ -142,23 +142,23 @@ static Status first_culprit(const Fem *f)
     return (Status){OK, -1, 0};
 }
 
-typedef struct Strained {
+typedef struct Strain {
     Fem *f;
-    int bad;
-} Strained;
+    int bad; /* not 0: some element is inverted or not finite */
+} Strain;
 
 static void strain_chunks(void *own, int first, int last)
 {
-    Strained *s = own;
+    Strain *s = own;
     int bad = 0;
     for (int k = first; k < last; k++) bad |= strain_chunk(s->f, k * CHUNK);
-#pragma omp atomic
+#pragma omp atomic /* by any thread of the team: team.h */
     s->bad |= bad;
 }
 
 void fem_strain(Fem *f)
 {
-    Strained all = {f, 0};
+    Strain all = {f, 0};
     team_share(f->threads, f->slots / CHUNK, strain_chunks, &all);
     f->status = all.bad ? first_culprit(f) : (Status){OK, -1, 0};
 }

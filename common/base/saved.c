@@ -48,8 +48,9 @@ FILE *saved_begin(const char *path, const SavedKey *key, Fault *fault)
     return f;
 }
 
-/* Names the state at path, if there is one, path.1 as well. Both names hold a whole state at every
-   moment: path until the new state takes it, path.1 as rename() replaces what it meant before. */
+/* Gives the state at path, if there is one, the second name path.1. It is linked under a temporary
+ * name first and then renamed, so that a program that is killed here leaves the old path.1 or the
+ * new one, never none. */
 static bool keep_before(const char *path)
 {
     char before[PATH_MAX], part[PATH_MAX];
@@ -59,7 +60,7 @@ static bool keep_before(const char *path)
     if (link(path, part) != 0) return errno == ENOENT;
     const bool kept = rename(part, before) == 0;
     const int error = errno;
-    unlink(part); /* left where both names already mean one file */
+    unlink(part); /* rename() does nothing where both names are one file already */
     errno = error;
     return kept;
 }

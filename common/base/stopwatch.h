@@ -8,7 +8,8 @@ double stopwatch_cpu(void);  /* [s] that all threads of this process have spent 
 /* The time of a part of a loop, from start to stop in each turn. The clock of CPU time is a system
  * call, which can cost more than the part: it is read when at least a millisecond has passed since
  * the first start, and the CPU time in between is shared by the part and the rest of the loop as
- * the wall time is. A part that takes a millisecond itself is measured by itself. */
+ * the wall time is. So cpu is exact where the part itself takes a millisecond; below that it is an
+ * estimate: too low if the rest waits for a disk, or if the part alone uses several threads. */
 typedef struct Stopwatch {
     double wall, cpu;              /* [s] so far; cpu: as of the last reading */
     double start;                  /* [s] of this turn, wall */

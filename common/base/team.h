@@ -1,16 +1,18 @@
-/* team.h: loops that threads share. OpenMP's regions stand in team.c alone: libgomp pays for each,
- * of one thread too, with an allocation and a system call, which is more than a whole step of a few
- * particles; a team of one is a plain loop here. */
+/* team.h: loops that threads share. Only team.c starts threads (OpenMP's parallel regions);
+ * elsewhere a pragma only guards what several threads write. One thread runs a plain loop: libgomp
+ * would allocate memory and call the system for each region, which costs more than a whole step of
+ * a few particles. */
 #ifndef MPMLAB_TEAM_H
 #define MPMLAB_TEAM_H
 
-/* The turns first ... last - 1 of a loop. What two turns write must not meet. */
+/* Does the turns first ... last - 1 of a loop; there may be none. No turn may write what another
+ * one reads or writes, unless it guards it. */
 typedef void TeamWork(void *own, int first, int last);
 
-/* n turns, a contiguous part of them for each of `threads` threads. */
+/* Does n turns: each of `threads` threads gets one contiguous part. */
 void team_share(int threads, int n, TeamWork *work, void *own);
 
-/* n turns, each for the thread that is free next: for turns that differ in cost. */
+/* Does n turns one by one, each by the next thread that is free: for turns of unequal cost. */
 void team_take(int threads, int n, TeamWork *work, void *own);
 
 #endif

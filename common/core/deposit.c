@@ -189,7 +189,7 @@ static void deposit_block(Blocks *all, int b)
         on_node = on_node || w.on_node;
     }
     if (!on_node) return;
-#pragma omp atomic write
+#pragma omp atomic write /* by any thread of the team: team.h */
     all->on_node = true;
 }
 

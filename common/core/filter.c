@@ -11,7 +11,7 @@ typedef void VisitNode(Line *node, Line *keep, double c, double impulse[DIM]);
 
 typedef struct Visit {
     const Grid *g;
-    VisitNode *node;
+    VisitNode *visit;
     double c;
 } Visit;
 
@@ -23,7 +23,7 @@ static void visit_rows(void *own, int first, int last)
         for (int a = 0; a < DIM; a++) g->impulse[row][a] = 0;
         for (int i = g->lo[row]; i < g->hi[row]; i++) {
             const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-            v->node(&g->node[at], &g->keep[at], v->c, g->impulse[row]);
+            v->visit(&g->node[at], &g->keep[at], v->c, g->impulse[row]);
         }
     }
 }

@@ -178,7 +178,7 @@ static void gather_chunks(void *own, int first, int last)
     Work w;
     Extremes e = {0};
     for (int k = first; k < last; k++) gather_chunk(all->sim, k, all->dt, all->take, &w, &e);
-#pragma omp critical
+#pragma omp critical /* of all threads of the team: team.h */
     {
         for (int p = 0; p < CHUNK; p++) {
             all->move = fmax(all->move, e.move[p]);

@@ -151,7 +151,8 @@ static void row_span(const Grid *g, int row, int *lo, int *hi)
 }
 
 /* Solves a row without held nodes, if the run has no unilateral wall, symmetry line, body force,
- * repair of velocities (WLS) or record of nodal masses. False: it has, and nothing is done. */
+ * repair of velocities (WLS) or record of nodal masses. Returns false, and changes nothing, where
+ * there is any of these. */
 static bool solve_free_row(Sim *sim, const Motion *motion, int row)
 {
     Grid *g = &sim->g;

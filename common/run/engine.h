@@ -35,8 +35,9 @@ typedef struct Engine {
     int (*has_exact)(const char *problem);
 
     /* 1D weights S [-] and gradients G [1/m] that a particle at x with half width l (cell size 1,
-     * node at 0) gives that node, for drawing and for tests. 0; 1 if the method's weights are no
-     * products of axes; -1 if it has no grid or is unknown. */
+     * node at 0) gives that node, for drawing and for tests. Returns 0; 1 if the method's weights
+     * are not products of 1D weights, -1 if it has no grid or is unknown: then S and G stay unset.
+     */
     int (*weight)(const char *method, double x, double l, double *S, double *G);
 } Engine;
 

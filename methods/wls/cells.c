@@ -262,7 +262,8 @@ static inline void take_row(Sim *sim, int row, Task task)
     }
 }
 
-/* The parities of a row of cells, a bit an axis: rows whose parities are equal share no node. */
+/* Is the row's index odd along y and z? One bit per axis. Two rows with equal bits share no node,
+ * so that threads may take them at once. */
 static int parities(const Grid *g, int row)
 {
     int bits = 0;

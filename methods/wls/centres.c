@@ -133,8 +133,9 @@ void wls_repair_centres(Sim *sim, double dt)
 {
     const Grid *g = &sim->g;
     Wls *w = &((Centres *)sim->own)->node;
+    (void)dt;
     wls_deposit(sim, w, 0, false);
-    rows_each(sim, set_velocities, dt);
+    rows_each(sim, set_velocities, 0);
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
             sim->fallbacks += w->fallbacks[row];

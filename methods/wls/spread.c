@@ -114,7 +114,7 @@ static void clear_row(Sim *sim, int row, double unused)
 
 void wls_spread(Sim *sim, double dt)
 {
-    rows_each(sim, give_row, dt);
+    rows_each(sim, give_row, 0);
     rows_each(sim, take_row, dt);
-    rows_each(sim, clear_row, dt);
+    rows_each(sim, clear_row, 0);
 }

@@ -112,7 +112,7 @@ void wls_assemble(Sim *sim, double t, bool force)
     wls_integrate(sim);
 }
 
-/* Good nodes with mass are sound; the body stands where any has mass. */
+/* Marks a row's good nodes with mass as SOUND, and notes in `body` whether any node has mass. */
 static void mark_sound(Sim *sim, int row, double unused)
 {
     const Grid *g = &sim->g;
@@ -126,7 +126,7 @@ static void mark_sound(Sim *sim, int row, double unused)
         any |= massive;
     }
     if (!any) return;
-#pragma omp atomic write
+#pragma omp atomic write /* by any thread of the team: team.h */
     w->body = true;
 }
 
@@ -134,7 +134,7 @@ void wls_repair(Sim *sim, double dt)
 {
     const Grid *g = &sim->g;
     wls_of(sim)->body = false;
-    rows_each(sim, mark_sound, dt);
+    rows_each(sim, mark_sound, 0);
     if (wls_of(sim)->inertia) wls_correct(sim, dt);
     rows_each(sim, wls_repair_row, dt);
     for (int row = 0; row < g->rows; row++)

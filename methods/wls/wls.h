@@ -261,7 +261,7 @@ bool wls_all_good(const Sim *sim, int row, int i);
 /* v of a spurious node from the planes of its good neighbours; left alone if there are none. */
 void wls_velocity_at(const Sim *sim, const int index[DIM], double v[DIM]);
 
-/* Final velocities of one row, and forces of its spurious and massless nodes; after symmetry. */
+/* Final velocities of a row, forces of its spurious and massless nodes; not beyond symmetry. */
 void wls_repair_row(Sim *sim, int row, double dt);
 
 /* What every fit needs; false: out of memory. */

@@ -28,7 +28,7 @@ void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, c
     char text[256];
     PHRASE_INTO(text, note);
     fprintf(f, "%s,%s,%s,", hard_case, method, grade_mark_names[grade]);
-    const bool lost = strstr(text, "nan"); /* the note's number: a run left none */
+    const bool lost = strstr(text, " nan") || strncmp(text, "nan", 3) == 0;
     table_put_cell(f, lost ? "a run was lost" : text);
     putc('\n', f);
 }

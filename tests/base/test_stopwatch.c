@@ -13,8 +13,8 @@ static double busy(int n)
 
 static void test_part(void)
 {
-    for (int length = 10; length <= 1000000;
-         length *= 10) { /* from far below a millisecond to above */
+    /* turns from far below a millisecond to far above */
+    for (int length = 10; length <= 1000000; length *= 10) {
         Stopwatch s = {0};
         double sum = 0;
         const double wall = stopwatch_wall(), cpu = stopwatch_cpu();

@@ -21,7 +21,7 @@ static void test_once(void)
         }
 }
 
-/* The first turn of each part. */
+/* Notes, at the first turn of a part, where the part ends. */
 static void mark(void *own, int first, int last)
 {
     if (first < last) ((int *)own)[first] = last;

@@ -5,8 +5,9 @@
 set -u
 # shellcheck source=tests/cli/checks.sh
 source "$(dirname "$0")/checks.sh"
-# The copy is built with the settings of this build, not in its jobserver. It starts from its objects, in a folder of the
-# same name, since their lists of headers name them by it; an absolute name would lead back here.
+# Make's variables (CC=..., OMP=...) are passed on to the copy, its jobserver is not; run by hand this expects a build with
+# the default settings. To save time the copy gets the objects of this build. Their .d files name them by the build folder,
+# so it has the same name there; if that is absolute, which would be this very folder, all is compiled anew in build/.
 case $1 in /*) built= ;; *) built=${1%/*} ;; esac
 build=${built:-build}
 case ${MAKEFLAGS-} in *' -- '*) MAKEFLAGS=" -- ${MAKEFLAGS##* -- }" ;; *) unset MAKEFLAGS ;; esac
@@ -40,7 +41,7 @@ rm -rf "$tree"
 mkdir -p "$tree"
 cp -a "$root"/{Makefile,common,methods,problems,fem_ref,studies,plots,tests} "$tree/"
 mkdir -p "$tree/$build"
-[ -z "$built" ] || cp -a "$built"/{d[1-3],common,studies,facts.h} "$tree/$build/" # with their times, which make compares
+[ ! -e "$built/mpmlab" ] || cp -a "$built"/{d[1-3],common,studies,facts.h} "$tree/$build/" # with their times, which make compares
 cd "$tree" || exit 1
 program=$build/mpmlab
 ok "the copy compiles" compile

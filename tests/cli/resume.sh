@@ -30,7 +30,8 @@ killed() {
     kill -KILL $!
     wait $!
 } 2>/dev/null
-# part N FILE: the first N bytes of `newest`, a file of its own: a killed run's state and state.1 may be one.
+# part N FILE: makes FILE anew, of the first N bytes of `newest`. (Writing into it could change two files: after a kill
+# state and state.1 may be one.)
 part() { head -c "$1" newest >torn && mv torn "$2"; }
 
 kills=0
@@ -122,6 +123,6 @@ outcome whole $words
 timeless out >resumed.row
 ok "resumed: $(cat err)" alike whole resumed
 ok "its snapshots" bash -c 'cd shots && sha256sum --quiet -c ../whole.sums'
-# A kill between naming a file and renaming it leaves state.PID.tmp, which no run reads.
+# A kill between naming a file and renaming it leaves state.PID.tmp or state.1.PID.tmp, which no run reads.
 ok "nothing else half written is left" test -z "$(find . -name '*.tmp' ! -name 'state.*')"
 verdict

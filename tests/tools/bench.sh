@@ -102,7 +102,7 @@ if [ -x "$avx2" ] && command -v callgrind_annotate >/dev/null; then
     callgrind_annotate --auto=no --threshold=100 "$work/calls" |
         awk -v n="$(pick particles <"$work/count.csv")" -v steps=40 '
             function part(f) {
-                if (f ~ /^ledger_|^add_motion|stored_energy/) return "ledger"
+                if (f ~ /^(ledger|sum)_|^add_(motion|points|strain)$|stored_energy/) return "ledger"
                 if (f ~ /shape|fit_slopes/) return "shapes"
                 if (f ~ /^(deposit|clear|pack)_/) return "deposit"
                 if (f ~ /^(gather|inspect)_/) return "gather"
