@@ -34,7 +34,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "contact.h"
-#include "common/base/team.h"
+#include "each.h"
 
 /* A node that both bodies reach. */
 typedef struct Spot {
@@ -230,9 +230,17 @@ static int row_of_second(const Contact *c, Spot *s)
     return row;
 }
 
-static void meet_row(Contact *c, int row, double dt, bool force)
+typedef struct Meeting {
+    Contact *contact;
+    double dt;
+    bool force;
+} Meeting;
+
+static void meet_row(Sim *sim, int row, const void *own)
 {
-    Grid *g[2] = {&c->body[0]->g, &c->body[1]->g};
+    const Meeting *m = own;
+    Contact *c = m->contact;
+    Grid *g[2] = {&sim->g, &c->body[1]->g};
     Spot s = {.row = {row}};
     Vec impulse = {0};
     c->spent[row] = 0;
@@ -249,25 +257,11 @@ static void meet_row(Contact *c, int row, double dt, bool force)
         }
         if (!(s.mass[0] > 0 && s.mass[1] > 0)) continue;
         if (c->law == CONTACT_NONE)
-            merge(c, &s, dt, impulse);
+            merge(c, &s, m->dt, impulse);
         else
-            c->spent[row] += collide(c, &s, dt, impulse);
+            c->spent[row] += collide(c, &s, m->dt, impulse);
     }
-    for (int a = 0; a < DIM && force; a++) g[0]->impulse[row][a] = impulse[a];
-}
-
-typedef struct Meeting {
-    Contact *contact;
-    double dt;
-    bool force;
-} Meeting;
-
-static void meet_rows(void *own, int first, int last)
-{
-    const Meeting *m = own;
-    const Grid *g = &m->contact->body[0]->g;
-    for (int row = first; row < last; row++)
-        if (g->lo[row] < g->hi[row]) meet_row(m->contact, row, m->dt, m->force);
+    for (int a = 0; a < DIM && m->force; a++) g[0]->impulse[row][a] = impulse[a];
 }
 
 void contact_meet(void *own, double dt, bool force)
@@ -275,7 +269,7 @@ void contact_meet(void *own, double dt, bool force)
     Contact *c = own;
     Sim *sim = c->body[0];
     const Grid *g = &sim->g;
-    team_share(sim->setup->threads, g->rows, meet_rows, &(Meeting){c, dt, force});
+    each_row(sim, meet_row, &(Meeting){c, dt, force});
     for (int row = 0; row < g->rows && force; row++) {
         if (g->lo[row] >= g->hi[row]) continue;
         for (int a = 0; a < DIM; a++) sim->impulse[a] += g->impulse[row][a];

@@ -5,10 +5,9 @@
 #include "moments.h"
 #include "parts.h"
 #include "passes.h"
-#include "common/base/team.h"
-#include "rows.h"
+#include "each.h"
 
-static void clear_row(Sim *sim, int row, double unused)
+static void clear_row(Sim *sim, int row, const void *unused)
 {
     Grid *g = &sim->g;
     (void)unused;
@@ -163,55 +162,45 @@ static void deposit_slopes(Sim *sim, int k, Work *w)
 
 typedef enum { ALL, ON_NODES } Which;
 
-typedef struct Blocks {
-    Sim *sim;
+typedef struct Task {
     double t;
     Deposit what;
     Which which;
-    int parity;
     bool on_node; /* some particle lies on a node */
-} Blocks;
+} Task;
 
-static void deposit_block(Blocks *all, int b)
+static void deposit_chunks(Sim *sim, int first, int last, void *own)
 {
-    Sim *sim = all->sim;
+    Task *task = own;
     Work w;
     bool on_node = false;
-    for (int k = sim->block[b].first; k < sim->block[b].last; k++) {
-        if (all->which == ON_NODES)
+    for (int k = first; k < last; k++) {
+        if (task->which == ON_NODES)
             deposit_slopes(sim, k, &w);
-        else if (all->what == ROUND)
+        else if (task->what == ROUND)
             deposit_round(sim, k, &w);
         else if (sim->method.list)
-            deposit_listed(sim, k, all->t, all->what, &w);
+            deposit_listed(sim, k, task->t, task->what, &w);
         else
-            deposit_chunk(sim, k, all->t, all->what, &w);
+            deposit_chunk(sim, k, task->t, task->what, &w);
         on_node = on_node || w.on_node;
     }
     if (!on_node) return;
 #pragma omp atomic write /* by any thread of the team: team.h */
-    all->on_node = true;
+    task->on_node = true;
 }
 
-static void deposit_of_parity(void *own, int first, int last)
-{
-    Blocks *all = own;
-    for (int k = first; k < last; k++) deposit_block(all, 2 * k + all->parity);
-}
-
-/* Even blocks, then odd blocks: blocks of equal parity share no node, so every node's sum is formed
- * in the same order for any number of threads. Returns true if some particle lies on a node. */
+/* Returns true if some particle lies on a node. */
 static bool deposit_blocks(Sim *sim, double t, Deposit what, Which which)
 {
-    Blocks all = {sim, t, what, which, 0, false};
-    for (; all.parity < 2; all.parity++)
-        team_take(sim->setup->threads, (sim->nblock + 1 - all.parity) / 2, deposit_of_parity, &all);
-    return all.on_node;
+    Task task = {t, what, which, false};
+    each_block(sim, deposit_chunks, &task);
+    return task.on_node;
 }
 
 void deposit_all(Sim *sim, double t, Deposit what)
 {
-    rows_each(sim, clear_row, 0);
+    each_row(sim, clear_row, NULL);
     if (sim->method.assemble) {
         sim->method.assemble(sim, t, what == FORCES);
         return;

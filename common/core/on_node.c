@@ -29,7 +29,7 @@
  * mass if its image has. */
 #include "passes.h"
 #include "scheme.h"
-#include "rows.h"
+#include "each.h"
 
 /* Is particle p on a node of this axis? (S is f and 1 - f.) */
 static bool lies_on_node(const Stencil *s, int p)
@@ -43,7 +43,7 @@ void on_node_clear_slopes(Stencil *s)
         if (lies_on_node(s, p)) s->table[T_G][0][p] = s->table[T_G][1][p] = 0;
 }
 
-static void mark_row(Sim *sim, int row, double unused)
+static void mark_row(Sim *sim, int row, const void *unused)
 {
     Grid *g = &sim->g;
     (void)unused;
@@ -67,7 +67,7 @@ static void unfold_mark(Sim *sim, const Mirror *m, size_t ghost, size_t image, i
 
 void on_node_mark_body(Sim *sim)
 {
-    rows_each(sim, mark_row, 0);
+    each_row(sim, mark_row, NULL);
     mirror_visit_pairs(sim, false, fold_mark, NULL);
     mirror_visit_pairs(sim, true, unfold_mark, NULL);
 }

@@ -1,6 +1,6 @@
 /* solve.c: the nodes' equations of motion (passes.h): W11 eqs 25, 26 with walls. */
 #include "passes.h"
-#include "common/base/team.h"
+#include "each.h"
 
 /* What all nodes of a pass share. `early`: internal forces enter the ledger as deposited, before
  * symmetry or a repair changes them, because over all nodes they sum to zero. (A repair records
@@ -204,19 +204,10 @@ static void solve_row(Sim *sim, const Motion *motion, int row)
     g->live[row] = live;
 }
 
-typedef struct Equations {
-    Sim *sim;
-    const Motion *motion;
-} Equations;
-
-static void solve_rows(void *own, int first, int last)
+static void solve_any_row(Sim *sim, int row, const void *motion)
 {
-    const Equations *e = own;
-    const Grid *g = &e->sim->g;
-    for (int row = first; row < last; row++)
-        if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0) &&
-            !solve_free_row(e->sim, e->motion, row))
-            solve_row(e->sim, e->motion, row);
+    if (!mirror_is_ghost_row(&sim->g, row, 0) && !solve_free_row(sim, motion, row))
+        solve_row(sim, motion, row);
 }
 
 void solve_all(Sim *sim, double dt, double scale, bool force)
@@ -232,7 +223,7 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
     if (g->nmirror) mirror_fold(sim);
     if (g->work && force) record_wall_work(sim, dt);
     if (sim->method.repair) sim->method.repair(sim, dt * scale);
-    team_share(sim->setup->threads, g->rows, solve_rows, &(Equations){sim, &motion});
+    each_row(sim, solve_any_row, &motion);
     if (g->nmirror) mirror_unfold(sim, motion.given);
     if (sim->method.wall_images) mirror_wall_images(sim);
     long live = 0;

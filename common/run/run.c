@@ -28,11 +28,10 @@ static void take_step(Loop *l, double t)
 
 static void shoot(Loop *l, long step, bool last)
 {
-    if (!l->shots.dir) return;
+    if (!l->shots.dir || l->code) return;
     stopwatch_read(&l->steps); /* writing takes wall time without CPU time */
-    if (!l->code)
-        l->code = snapshot_take(&l->shots, &l->plan->scene, l->plan->solver, l->self, step,
-                                step > l->done ? pace_end_of_step(l) : l->t, last, l->fault);
+    l->code = snapshot_take(&l->shots, &l->plan->scene, l->plan->solver, l->self, step,
+                            step > l->done ? pace_end_of_step(l) : l->t, last, l->fault);
 }
 
 static bool grown(const Loop *l)

@@ -4,7 +4,7 @@
  * linear functions there, weights S. Full cells have one point. */
 #include <string.h>
 #include "wls.h"
-#include "common/core/rows.h"
+#include "common/core/each.h"
 
 static const double centre[3] = {0.5, 0.5, 0.5};
 
@@ -274,22 +274,22 @@ static int parities(const Grid *g, int row)
     return bits;
 }
 
-static void integrate_row(Sim *sim, int row, double turn)
+static void integrate_row(Sim *sim, int row, const void *turn)
 {
-    if (parities(&sim->g, row) == (int)turn) take_row(sim, row, INTEGRATE);
+    if (parities(&sim->g, row) == *(const int *)turn) take_row(sim, row, INTEGRATE);
 }
 
-static void multiply_row(Sim *sim, int row, double turn)
+static void multiply_row(Sim *sim, int row, const void *turn)
 {
-    if (parities(&sim->g, row) == (int)turn) take_row(sim, row, MULTIPLY);
+    if (parities(&sim->g, row) == *(const int *)turn) take_row(sim, row, MULTIPLY);
 }
 
 void wls_integrate(Sim *sim)
 {
-    for (int turn = 0; turn < CORNERS / 2; turn++) rows_each(sim, integrate_row, turn);
+    for (int turn = 0; turn < CORNERS / 2; turn++) each_row(sim, integrate_row, &turn);
 }
 
 void wls_mass_times(Sim *sim)
 {
-    for (int turn = 0; turn < CORNERS / 2; turn++) rows_each(sim, multiply_row, turn);
+    for (int turn = 0; turn < CORNERS / 2; turn++) each_row(sim, multiply_row, &turn);
 }

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "wls.h"
-#include "common/core/rows.h"
+#include "common/core/each.h"
 
 typedef struct Centres {
     Wls node, cell;
@@ -56,7 +56,7 @@ static bool is_within(const Grid *g, int row, int i)
     return true;
 }
 
-static void solve_cells(Sim *sim, int row, double unused)
+static void solve_cells(Sim *sim, int row, const void *unused)
 {
     Centres *c = sim->own;
     (void)unused;
@@ -82,7 +82,7 @@ static void add_cell(const Sim *sim, const Centres *c, size_t cell, int k, Line 
 }
 
 /* Adds to each node of a row the forces of its cells, always in the same order. */
-static void add_forces(Sim *sim, int row, double unused)
+static void add_forces(Sim *sim, int row, const void *unused)
 {
     const Centres *c = sim->own;
     Grid *g = &sim->g;
@@ -103,13 +103,13 @@ static void add_forces(Sim *sim, int row, double unused)
 void wls_integrate_centres(Sim *sim)
 {
     wls_deposit(sim, &((Centres *)sim->own)->cell, 0, true);
-    rows_each(sim, solve_cells, 0);
-    rows_each(sim, add_forces, 0);
+    each_row(sim, solve_cells, NULL);
+    each_row(sim, add_forces, NULL);
 }
 
 /* Sets the momenta of a row to mass times the fitted velocity; spurious nodes take the mean, and
  * are counted. */
-static void set_velocities(Sim *sim, int row, double unused)
+static void set_velocities(Sim *sim, int row, const void *unused)
 {
     const Grid *g = &sim->g;
     Wls *w = &((Centres *)sim->own)->node;
@@ -135,7 +135,7 @@ void wls_repair_centres(Sim *sim, double dt)
     Wls *w = &((Centres *)sim->own)->node;
     (void)dt;
     wls_deposit(sim, w, 0, false);
-    rows_each(sim, set_velocities, 0);
+    each_row(sim, set_velocities, NULL);
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row] && !mirror_is_ghost_row(g, row, 0))
             sim->fallbacks += w->fallbacks[row];

@@ -12,7 +12,7 @@
  *
  * Real cells alone are summed: on a symmetry line the mirrored half doubles M a0 and D alike. */
 #include "wls.h"
-#include "common/core/rows.h"
+#include "common/core/each.h"
 
 unsigned wls_held(const Grid *g, int row, int i)
 {
@@ -50,8 +50,9 @@ double wls_whole_force(const Grid *g, size_t at, int a)
 
 /* The factors a0, v of a row, with boundary conditions. Whether a unilateral wall stops a component
  * is decided by momentum and force before any correction; a stopped component has a0 = -v/dt. */
-static void start_row(Sim *sim, int row, double dt)
+static void start_row(Sim *sim, int row, const void *own)
 {
+    const double dt = *(const double *)own;
     const Grid *g = &sim->g;
     Wls *w = wls_of(sim);
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
@@ -76,8 +77,9 @@ static void start_row(Sim *sim, int row, double dt)
  * M a0)_i = 0, since D are the row sums of M. A component that a wall holds or stops has a given a0
  * and is not changed; its share (D a0 - M a0)_i of that sum is borne by the wall, whose impulse is
  * that of the integrated force plus dt (M a0 - D a0)_i. */
-static void finish_row(Sim *sim, int row, double dt)
+static void finish_row(Sim *sim, int row, const void *own)
 {
+    const double dt = *(const double *)own;
     Grid *g = &sim->g;
     Wls *w = wls_of(sim);
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
@@ -108,10 +110,10 @@ static void finish_row(Sim *sim, int row, double dt)
 
 void wls_correct(Sim *sim, double dt)
 {
-    rows_each(sim, start_row, dt);
+    each_row(sim, start_row, &dt);
     if (wls_of(sim)->folded) wls_spread(sim, dt);
     wls_mass_times(sim);
-    rows_each(sim, finish_row, dt);
+    each_row(sim, finish_row, &dt);
 }
 
 /* a of a spurious node from pairs of good ones with mass, weights m_j; false: there are none. */

@@ -6,7 +6,7 @@
 #include <math.h>
 #include "kernel.h"
 #include "space.h"
-#include "common/base/team.h"
+#include "common/core/each.h"
 
 /* Do the sums of a row of nodes fit into the registers? */
 enum { RUNS = 3 * FIT * (int)sizeof(Line) <= (int)REGISTERS * VECTOR_BYTES };
@@ -232,8 +232,17 @@ static void deposit_chunk(Sim *sim, Wls *wls, int k, double t, bool force, Depos
         if (c.id[p] >= 0 && !(c.V0[p] > 0)) wls_skin_point(sim, &c, p);
 }
 
-static void clear_row(const Grid *g, Wls *w, int row)
+typedef struct Task {
+    Wls *wls;
+    double t;
+    bool force;
+} Task;
+
+static void clear_row(Sim *sim, int row, const void *own)
 {
+    const Task *task = own;
+    const Grid *g = &sim->g;
+    Wls *w = task->wls;
     const size_t start = (size_t)row * (size_t)g->n[0];
     const Line zero = g->zero;
     for (size_t at = start + (size_t)g->lo[row]; at < start + (size_t)g->hi[row]; at++) {
@@ -243,37 +252,17 @@ static void clear_row(const Grid *g, Wls *w, int row)
     }
 }
 
-typedef struct Deposits {
-    Sim *sim;
-    Wls *wls;
-    double t;
-    bool force;
-    int parity;
-} Deposits;
-
-static void clear_rows(void *own, int first, int last)
+static void deposit_chunks(Sim *sim, int first, int last, void *own)
 {
-    const Deposits *all = own;
-    const Grid *g = &all->sim->g;
-    for (int row = first; row < last; row++)
-        if (g->lo[row] < g->hi[row]) clear_row(g, all->wls, row);
-}
-
-static void deposit_blocks(void *own, int first, int last)
-{
-    const Deposits *all = own;
+    const Task *task = own;
     Deposit w;
-    for (int b = 2 * first + all->parity; b < 2 * last + all->parity; b += 2)
-        for (int k = all->sim->block[b].first; k < all->sim->block[b].last; k++)
-            deposit_chunk(all->sim, all->wls, k, all->t, all->force, &w);
+    for (int k = first; k < last; k++) deposit_chunk(sim, task->wls, k, task->t, task->force, &w);
 }
 
 void wls_deposit(Sim *sim, Wls *wls, double t, bool force)
 {
-    const int threads = sim->setup->threads;
-    Deposits all = {sim, wls, t, force, 0};
-    team_share(threads, sim->g.rows, clear_rows, &all);
-    for (; all.parity < 2; all.parity++) /* blocks of equal parity share no node */
-        team_take(threads, (sim->nblock + 1 - all.parity) / 2, deposit_blocks, &all);
+    Task task = {wls, t, force};
+    each_row(sim, clear_row, &task);
+    each_block(sim, deposit_chunks, &task);
     if (sim->g.nmirror) wls_fold(sim, wls);
 }

@@ -127,8 +127,9 @@ static void repair_node(Sim *sim, size_t at, int row, const int index[DIM], doub
     }
 }
 
-void wls_repair_row(Sim *sim, int row, double dt)
+void wls_repair_row(Sim *sim, int row, const void *own)
 {
+    const double dt = *(const double *)own;
     const Grid *g = &sim->g;
     int index[DIM], rest = row;
     if (mirror_is_ghost_row(g, row, 0)) return;

@@ -8,7 +8,7 @@
  * uniform a. A node that a wall holds keeps its force, which acts on the wall; the share of r_s for
  * a held component of a good neighbour does so, too, and is added to the impulse. */
 #include "wls.h"
-#include "common/core/rows.h"
+#include "common/core/each.h"
 
 /* Does the node pass its force on: is it spurious, with mass, and held by no wall? (Symmetry lines
  * do not count.) */
@@ -52,7 +52,7 @@ static Sums sum_around(const Sim *sim, const int index[DIM])
 }
 
 /* r_s over the mass of its good neighbours: the acceleration that each of them gets. */
-static void give_row(Sim *sim, int row, double unused)
+static void give_row(Sim *sim, int row, const void *unused)
 {
     const Grid *g = &sim->g;
     (void)unused;
@@ -83,8 +83,9 @@ static void take(Sim *sim, int row, size_t at, int a, double sign, double share,
         wls_of(sim)->inertia[at].factor[I_A + a] += sign * share;
 }
 
-static void take_row(Sim *sim, int row, double dt)
+static void take_row(Sim *sim, int row, const void *own)
 {
+    const double dt = *(const double *)own;
     const Grid *g = &sim->g;
     Wls *w = wls_of(sim);
     for (int i = g->lo[row]; i < g->hi[row]; i++) {
@@ -103,7 +104,7 @@ static void take_row(Sim *sim, int row, double dt)
     }
 }
 
-static void clear_row(Sim *sim, int row, double unused)
+static void clear_row(Sim *sim, int row, const void *unused)
 {
     const Grid *g = &sim->g;
     (void)unused;
@@ -114,7 +115,7 @@ static void clear_row(Sim *sim, int row, double unused)
 
 void wls_spread(Sim *sim, double dt)
 {
-    rows_each(sim, give_row, 0);
-    rows_each(sim, take_row, dt);
-    rows_each(sim, clear_row, 0);
+    each_row(sim, give_row, NULL);
+    each_row(sim, take_row, &dt);
+    each_row(sim, clear_row, NULL);
 }

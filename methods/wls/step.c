@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "methods/parts/shapes.h"
 #include "wls.h"
-#include "common/core/rows.h"
+#include "common/core/each.h"
 
 static void *nodes_of(size_t n, size_t size)
 {
@@ -91,7 +91,7 @@ void wls_adapt(const double par[], Method *own)
     own->wall_images = true;
 }
 
-static void solve_row(Sim *sim, int row, double t)
+static void solve_row(Sim *sim, int row, const void *t)
 {
     const Grid *g = &sim->g;
     Wls *w = wls_of(sim);
@@ -101,19 +101,19 @@ static void solve_row(Sim *sim, int row, double t)
         const bool whole = wls_solve_node(w, at);
         w->fallbacks[row] += !whole && w->fit[at][FIT_MOMENTS][M_BETA] > 0;
     }
-    wls_distances(sim, row, t);
+    wls_distances(sim, row, *(const double *)t);
 }
 
 void wls_assemble(Sim *sim, double t, bool force)
 {
     wls_deposit(sim, wls_of(sim), t, force);
     if (wls_of(sim)->count) wls_count(sim);
-    rows_each(sim, solve_row, t);
+    each_row(sim, solve_row, &t);
     wls_integrate(sim);
 }
 
 /* Marks a row's good nodes with mass as SOUND, and notes in `body` whether any node has mass. */
-static void mark_sound(Sim *sim, int row, double unused)
+static void mark_sound(Sim *sim, int row, const void *unused)
 {
     const Grid *g = &sim->g;
     Wls *w = wls_of(sim);
@@ -134,9 +134,9 @@ void wls_repair(Sim *sim, double dt)
 {
     const Grid *g = &sim->g;
     wls_of(sim)->body = false;
-    rows_each(sim, mark_sound, 0);
+    each_row(sim, mark_sound, NULL);
     if (wls_of(sim)->inertia) wls_correct(sim, dt);
-    rows_each(sim, wls_repair_row, dt);
+    each_row(sim, wls_repair_row, &dt);
     for (int row = 0; row < g->rows; row++)
         if (g->lo[row] < g->hi[row]) sim->fallbacks += wls_of(sim)->fallbacks[row];
 }

@@ -262,7 +262,7 @@ bool wls_all_good(const Sim *sim, int row, int i);
 void wls_velocity_at(const Sim *sim, const int index[DIM], double v[DIM]);
 
 /* Final velocities of a row, forces of its spurious and massless nodes; not beyond symmetry. */
-void wls_repair_row(Sim *sim, int row, double dt);
+void wls_repair_row(Sim *sim, int row, const void *dt);
 
 /* What every fit needs; false: out of memory. */
 bool wls_alloc(const Sim *sim, Wls *w);
