@@ -5,19 +5,20 @@
 double stopwatch_wall(void); /* [s] since some fixed instant */
 double stopwatch_cpu(void);  /* [s] that all threads of this process have spent computing */
 
-/* The time of a part of a loop, from start to stop in each turn. The clock of CPU time is a system
- * call, which can cost more than the part: it is read when at least a millisecond has passed since
- * the first start, and the CPU time in between is shared by the part and the rest of the loop as
- * the wall time is. So cpu is exact where the part itself takes a millisecond; below that it is an
- * estimate: too low if the rest waits for a disk, or if the part alone uses several threads. */
+/* Sums the wall and CPU time of a part of a loop, from start to stop in each pass. Reading the CPU
+ * clock is a system call, which can cost more than the part. So it is read over intervals: from a
+ * start to the first stop that is a millisecond later, or to stopwatch_read. The part gets that
+ * fraction of an interval's CPU time that it has of its wall time: all of it if one pass takes a
+ * millisecond; else an estimate, too low if the rest of the loop waits for a disk, or if the part
+ * alone uses several threads. */
 typedef struct Stopwatch {
     double wall, cpu;              /* [s] so far; cpu: as of the last reading */
-    double start;                  /* [s] of this turn, wall */
-    double from, cpu_from, inside; /* since the last reading: its first start; wall of the part */
+    double start;                  /* [s] of this pass, wall */
+    double from, cpu_from, inside; /* the interval: its start; wall time of the part in it */
 } Stopwatch;
 
 void stopwatch_start(Stopwatch *s);
 void stopwatch_stop(Stopwatch *s);
-void stopwatch_read(Stopwatch *s); /* brings cpu up to date; between stop and start */
+void stopwatch_read(Stopwatch *s); /* brings cpu up to date; only while stopped */
 
 #endif

@@ -5,14 +5,15 @@
 #ifndef MPMLAB_TEAM_H
 #define MPMLAB_TEAM_H
 
-/* Does the turns first ... last - 1 of a loop; there may be none. No turn may write what another
- * one reads or writes, unless it guards it. */
+/* Does the iterations first ... last - 1 of a loop; there may be none. No iteration may write what
+ * another one reads or writes, unless that is guarded. */
 typedef void TeamWork(void *own, int first, int last);
 
-/* Does n turns: each of `threads` threads gets one contiguous part. */
+/* Does n iterations: each of `threads` threads gets one contiguous part. Here and in team_take one
+ * thread does all of them in one call of work. */
 void team_share(int threads, int n, TeamWork *work, void *own);
 
-/* Does n turns one by one, each by the next thread that is free: for turns of unequal cost. */
+/* The same, but each iteration is done by the next free thread: for iterations of unequal cost. */
 void team_take(int threads, int n, TeamWork *work, void *own);
 
 #endif

@@ -28,7 +28,8 @@ void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, c
     char text[256];
     PHRASE_INTO(text, note);
     fprintf(f, "%s,%s,%s,", hard_case, method, grade_mark_names[grade]);
-    const bool lost = strstr(text, " nan") || strncmp(text, "nan", 3) == 0;
+    const char *nan = strstr(text, "nan"); /* printf may write -nan */
+    const bool lost = nan && (nan == text || strchr(" -", nan[-1]));
     table_put_cell(f, lost ? "a run was lost" : text);
     putc('\n', f);
 }

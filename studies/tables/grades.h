@@ -32,7 +32,7 @@ extern const char *const grade_mark_names[MARKS]; /* "ok" "weak" "lost" */
 FILE *grades_write(const Results *results);
 FILE *grades_write_remedies(const Results *results);
 
-/* note: a format; if a number in it is NAN, it becomes "a run was lost". */
+/* note: a printf format. If a number in it is NAN, the whole note becomes "a run was lost". */
 void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, const char *note,
                ...) __attribute__((format(printf, 5, 6)));
 

@@ -107,7 +107,7 @@ static void change_files(const Study *study, const Change *by)
     if (d) closedir(d);
 }
 
-/* Was it outside its range, or one time inside and one time in that of what differs? */
+/* Did the claim fail in some trial, or pass in one and differ in another? */
 static bool can_fail(unsigned seen)
 {
     const unsigned both = 1U << PASS | 1U << DIFFERS;
@@ -121,7 +121,7 @@ static bool all_can_fail(const Trial *t)
     return n == t->study->page->claims;
 }
 
-/* Grades are of methods that were run, and say no number that was not measured. */
+/* Graded methods were run, and no note says nan or inf. */
 static void check_grades(const Study *study)
 {
     Table *rows = table_read_part(dir, study->name, NULL, NULL);
@@ -137,8 +137,8 @@ static void check_grades(const Study *study)
     table_free(grades);
 }
 
-/* First the rows of the runs, then their files, with the page's tables made of them and without;
- * until each claim has failed. */
+/* Changes the rows of the runs; then, one change upon the other, their files, and judges before and
+ * after the page's tables are made of them. Stops when every claim can fail. */
 static void try_all(Trial *t)
 {
     static const Change changes[] = {{1, 3, 0}, {-1e3, 0, 1}, {1, 0, -1e9}};

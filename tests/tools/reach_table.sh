@@ -14,6 +14,7 @@ processor=$(sed -n 's/^ "processor": "\(.*\)",$/\1/p' "${file%.reach.csv}.json")
 [ -z "$readme" ] || grep -qF "one core of ${processor:-?}" "$readme" || { echo "SKIPPED: $file was measured on ${processor:-an unknown processor}" && exit 0; }
 table=$(
     awk -F, '
+    function ratio_of(x) { return sprintf(x < 99.5 ? "%.2g" : "%.0f", x) }
     function show(x) { return x == "" ? "-" : sprintf("%.3g", x) }
     NR == 1 { for (k = 1; k <= NF; k++) at[$k] = k; next }
     $at["target"] == 0.0003 || ($at["how"] != "reached" && $at["how"] != "below") { next }
@@ -31,8 +32,8 @@ table=$(
         for (k = 1; k <= n; k++) {
             key = order[k]
             if (!(key in best)) continue
-            ratio = key in fem ? sprintf("%.2g", best[key] / fem[key]) : "-"
-            other = key in fem && key in ge ? sprintf("%.2g", ge[key] / fem[key]) : "-"
+            ratio = key in fem ? ratio_of(best[key] / fem[key]) : "-"
+            other = key in fem && key in ge ? ratio_of(ge[key] / fem[key]) : "-"
             printf "| %s | %s | %s | %s | %s | %s |\n", key, show(fem[key]), name[key], show(best[key]), ratio, other
         }
     }' "$file"
