@@ -15,7 +15,10 @@ check() {
     valgrind -q --leak-check=full --show-leak-kinds=definite,indirect,possible --error-exitcode=9 \
         --log-file="$folder/logs/%p" "$@"
 }
-unit() { (cd "$folder/tests" && check "./$1" >"$1.log"); }
+unit() { # PROGRAM SUITE: in a process and a folder of its own
+    mkdir -p "$folder/tests/run/$1.$2"
+    (cd "$folder/tests/run/$1.$2" && ONLY="$2: " check "$folder/tests/$1" >log)
+}
 run() { # PROBLEM METHOD: in a process of its own, to its very end
     check "$folder/mpmlab" run "$1" --method "$2" --cells 8 --set steps=3 --set allow_unstable=1 \
         --history "$folder/$1.$2.h.csv" --particles "$folder/$1.$2.p.csv" >/dev/null 2>&1
@@ -24,16 +27,21 @@ run() { # PROBLEM METHOD: in a process of its own, to its very end
 export folder
 export -f check unit run
 each() { xargs -P "$(nproc)" -L 1 bash -c '"$@"' bash "$1"; } # FUNCTION, arguments by line
+suites() { # PROGRAM: itself and a suite, a line each
+    sed -nE "s/^[a-z_0-9]*\/?test_([a-z_0-9]+):(.*) $1( .*)?\$/$1 \1/p" "$(dirname "$0")/../tests.def"
+}
 failed=0
 units=(core_2d core_3d core_1d wls tools scenes fem) # longest first
 make -s -j "$(nproc)" BUILD="$folder" ARCH= OMP= OPT='-O2 -ffp-contract=off' all "${units[@]/#/$folder/tests/}" || exit 1
-printf '%s\n' "${units[@]}" | each unit || failed=1
+# Cases of studies first, which the pairs below stand for; then what makes tables, verdicts, figures and page of them.
+"$folder/mpmlab" study all --quick --jobs "$(nproc)" --out "$folder/out" || failed=1
+check "$folder/mpmlab" study all --quick --out "$folder/out" &
+studies=$!
+for program in "${units[@]}"; do suites "$program"; done | each unit || failed=1
 for problem in $("$folder/mpmlab" list problems | cut -f 2); do
     "$folder/mpmlab" list methods | cut -f 2 | sed "s/^/$problem /"
 done | each run || failed=1
-# Cases first, which the runs above stand for; then what makes tables, verdicts, figures and page of them.
-"$folder/mpmlab" study all --quick --jobs "$(nproc)" --out "$folder/out" || failed=1
-check "$folder/mpmlab" study all --quick --out "$folder/out" || failed=1
+wait $studies || failed=1
 found=$(find "$folder/logs" -type f -size +0 | wc -l)
 echo "valgrind: $(find "$folder/logs" -type f | wc -l) processes, $found with errors or leaks"
 find "$folder/logs" -type f -size +0 -exec head -n 12 {} \; | head -n 40
