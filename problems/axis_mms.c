@@ -12,6 +12,8 @@
  * The body starts with its exact displacement (none in 2D) and velocity; normal velocities vanish
  * on the sides. */
 #include <math.h>
+#include "common/contract/chunk_log.h"
+#include "common/contract/chunk_trig.h"
 #include "common/contract/problem.h"
 
 enum { AMPLITUDE, E, NU, RHO };
@@ -54,8 +56,10 @@ static double first_rate(const Scene *s, int d)
 
 static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
 {
-    for (int d = 0; d < DIM; d++)
-        for (int p = 0; p < n; p++) u[d][p] = amplitude(s, d, t) * sin(M_PI * X[d][p]);
+    for (int d = 0; d < DIM; d++) {
+        const double a = amplitude(s, d, t);
+        for (int p = 0; p < n; p++) u[d][p] = a * trig_sin(M_PI * X[d][p]);
+    }
 }
 
 static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fields F, Fields L)
@@ -74,17 +78,22 @@ static void start(const Scene *s, int n, ConstFields X, Fields u, Fields v, Fiel
 
 static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
 {
-    const Material *m = &s->mat;
+    const Material m = s->mat;
+    double a[DIM];
+    for (int d = 0; d < DIM; d++) a[d] = amplitude(s, d, t);
     for (int p = 0; p < n; p++) {
-        double F[DIM], J = 1;
+        double u[DIM], F[DIM], J = 1;
         for (int d = 0; d < DIM; d++) {
-            F[d] = 1 + M_PI * amplitude(s, d, t) * cos(M_PI * X[d][p]);
+            double sine, cosine;
+            trig_sin_cos(M_PI * X[d][p], &sine, &cosine);
+            u[d] = a[d] * sine;
+            F[d] = 1 + M_PI * a[d] * cosine;
             J *= F[d];
         }
+        const double pressure = m.lambda * (1 - log_one(J));
         for (int d = 0; d < DIM; d++) {
-            const double u = amplitude(s, d, t) * sin(M_PI * X[d][p]), iF2 = 1 / (F[d] * F[d]);
-            b[d][p] = M_PI * M_PI * u / m->rho *
-                      (m->lambda * (1 - log(J)) * iF2 + m->mu * (1 + iF2) - m->E);
+            const double iF2 = 1 / (F[d] * F[d]);
+            b[d][p] = M_PI * M_PI * u[d] / m.rho * (pressure * iF2 + m.mu * (1 + iF2) - m.E);
         }
     }
 }

@@ -39,7 +39,11 @@ static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
     const double half = 2 / s->c, turns = floor(t / half), rest = t - turns * half;
     const double sign = fmod(turns, 2) > 0 ? -1 : 1;
     const double edge = fmin(rest, half - rest); /* ends of the saw-tooth */
-    for (int p = 0; p < n; p++) u[0][p] = sign * s->par[V0] * fmin(edge, X[0][p] / s->c);
+    const double v = sign * s->par[V0], c = s->c;
+    for (int p = 0; p < n; p++) {
+        const double arrival = X[0][p] / c;
+        u[0][p] = v * (arrival < edge ? arrival : edge);
+    }
 }
 
 const Problem problem_bar = {

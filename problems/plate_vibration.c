@@ -5,6 +5,7 @@
  * sign): free of rotation, w = pi sqrt(2 (lambda + 2 mu)/rho). Sides are free to move along their
  * normal, not along themselves: tangential velocity 0 on the side nodes and on all nodes beyond. */
 #include <math.h>
+#include "common/contract/chunk_trig.h"
 #include "common/contract/problem.h"
 
 enum { A, MODE, LAW, NU };
@@ -45,9 +46,11 @@ static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
 {
     const double a = s->par[A] * cos(s->k[OMEGA] * t), b = s->k[SIGN] * a;
     for (int p = 0; p < n; p++) {
-        const double x = M_PI * X[0][p], y = M_PI * X[1][p];
-        u[0][p] = a * cos(x) * sin(y);
-        u[1][p] = b * sin(x) * cos(y);
+        double sin_x, cos_x, sin_y, cos_y;
+        trig_sin_cos(M_PI * X[0][p], &sin_x, &cos_x);
+        trig_sin_cos(M_PI * X[1][p], &sin_y, &cos_y);
+        u[0][p] = a * cos_x * sin_y;
+        u[1][p] = b * sin_x * cos_y;
     }
 }
 

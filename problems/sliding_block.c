@@ -99,11 +99,12 @@ static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
 
 static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
 {
+    const double along = g * sin(slope(s)), across = -g * cos(slope(s));
     (void)t;
     for (int p = 0; p < n; p++) {
         const bool moves = in_block(s, X[0][p], X[1][p]);
-        b[0][p] = moves ? g * sin(slope(s)) : 0;
-        b[1][p] = moves ? -g * cos(slope(s)) : 0;
+        b[0][p] = moves ? along : 0;
+        b[1][p] = moves ? across : 0;
     }
 }
 

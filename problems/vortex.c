@@ -15,6 +15,7 @@
  * b = x_tt - DIV P/rho = Q [(R a_tt - m (3 a' + R a'')) e_T + R (m a'^2 - a_t^2) e_R], m = mu/rho.
  * At t = 0 and 1 the body is undeformed. */
 #include <math.h>
+#include "common/contract/chunk_trig.h"
 #include "common/contract/layout.h"
 #include "common/contract/problem.h"
 
@@ -79,7 +80,7 @@ static void exact(const Scene *s, int n, ConstFields X, double t, Fields u)
     const double g = s->par[TURN] * sin(M_PI * t);
     for (int p = 0; p < n; p++) {
         const Place at = place_of(s, X, p);
-        const double half = sin(0.5 * g * at.h), S = sin(g * at.h), C = 2 * half * half;
+        const double half = trig_sin(0.5 * g * at.h), S = trig_sin(g * at.h), C = 2 * half * half;
         u[0][p] = -C * at.x - S * at.y;
         u[1][p] = S * at.x - C * at.y;
     }
@@ -120,7 +121,8 @@ static void body(const Scene *s, int n, ConstFields X, double t, Fields b)
         const double across = -M_PI * M_PI * a - m * (3 * a1 / at.R + a2); /* over R */
         const double along = m * a1 * a1 - a_t * a_t;                      /* over R */
         const double bx = along * at.x - across * at.y, by = along * at.y + across * at.x;
-        const double C = cos(a), S = sin(a);
+        double S, C;
+        trig_sin_cos(a, &S, &C);
         b[0][p] = C * bx - S * by;
         b[1][p] = S * bx + C * by;
     }

@@ -16,17 +16,19 @@ static bool join(Bodies *b)
 {
     const Scene *scene = &b->scene[0];
     const size_t n = (size_t)(b->sim[0]->p.room + b->sim[1]->p.room);
-    bool ok = (b->id = malloc(n * sizeof(int))) != NULL;
-    for (int f = 0; f < FIELDS; f++)
-        if (is_viewed(b, f)) ok = (b->field[f] = malloc(n * sizeof(double))) && ok;
+    Joined *both = b->both = calloc(1, sizeof *both);
+    bool ok = both && (both->id = malloc(n * sizeof(int)));
+    for (int f = 0; f < FIELDS && both; f++)
+        if (is_viewed(b, f)) ok = (both->field[f] = malloc(n * sizeof(double))) && ok;
     return contact_make(&b->contact, b->sim[0], b->sim[1], scene->contact, scene->friction) && ok;
 }
 
 void bodies_free(Bodies *b)
 {
     for (int k = 0; k < MAX_BODIES; k++) sim_free(b->sim[k]);
-    for (int f = 0; f < FIELDS; f++) free(b->field[f]);
-    free(b->id);
+    for (int f = 0; f < FIELDS && b->both; f++) free(b->both->field[f]);
+    if (b->both) free(b->both->id);
+    free(b->both);
     contact_free(&b->contact);
 }
 
@@ -62,35 +64,41 @@ bool bodies_make(Bodies *b, const Setup *setup, Fault *fault)
 Status bodies_step(Bodies *b, double t, double dt, bool first)
 {
     int culprit = 0;
+    if (b->both) b->both->fresh = false;
     if (b->n == 1) return sim_step(b->sim[0], t, dt, first);
     Status s = sim_step_bodies(b->sim, b->n, t, dt, first, contact_meet, &b->contact, &culprit);
     if (culprit > 0 && s.point >= 0) s.point += b->sim[0]->p.count;
     return s;
 }
 
-/* Copies both bodies' particles, one after the other; returns the number of slots. */
-static int copy_both(const Bodies *b)
+/* Copies both bodies' particles, once a step however often they are viewed. */
+static const Joined *join_particles(const Bodies *b)
 {
+    Joined *both = b->both;
+    if (both->fresh) return both;
     int n = 0;
     for (int k = 0; k < b->n; k++) {
         const Particles *p = &b->sim[k]->p;
+        const size_t size = sizeof(double) * (size_t)p->n;
         for (int f = 0; f < FIELDS; f++)
-            if (b->field[f]) memcpy(b->field[f] + n, p->field[f], sizeof(double) * (size_t)p->n);
+            if (both->field[f]) memcpy(both->field[f] + n, p->field[f], size);
         for (int s = 0; s < p->n; s++)
-            b->id[n + s] = p->id[s] < 0 ? -1 : p->id[s] + (k ? b->sim[0]->p.count : 0);
+            both->id[n + s] = p->id[s] < 0 ? -1 : p->id[s] + (k ? b->sim[0]->p.count : 0);
         n += p->n;
     }
-    return n;
+    both->n = n;
+    both->fresh = true;
+    return both;
 }
 
 void bodies_view(const Bodies *b, Points *points, Samples *samples)
 {
     const Particles *p = &b->sim[0]->p;
-    const bool both = b->n > 1;
-    double *const *field = both ? b->field : p->field;
-    const int n = both ? copy_both(b) : p->n;
+    const Joined *both = b->both ? join_particles(b) : NULL;
+    double *const *field = both ? both->field : p->field;
+    const int n = both ? both->n : p->n;
     *points = (Points){.n = n,
-                       .id = both ? b->id : p->id,
+                       .id = both ? both->id : p->id,
                        .m = field[AT_M],
                        .V0 = field[AT_VOL],
                        .second = both ? p->count : 0};
@@ -130,5 +138,6 @@ void bodies_counts(const Bodies *b, Counts *counts)
 void bodies_stash(Bodies *b, Stash *s)
 {
     for (int k = 0; k < b->n; k++) sim_stash(b->sim[k], s);
+    if (b->both) b->both->fresh = false;
     STASH(s, b->contact.work);
 }

@@ -5,14 +5,21 @@
 #include "contact.h"
 #include "step.h"
 
+/* Particles of two bodies, one after the other, in n slots. */
+typedef struct Joined {
+    bool fresh; /* those of now */
+    int n;
+    double *field[FIELDS];
+    int *id;
+} Joined;
+
 typedef struct Bodies {
     int n;
     Sim *sim[MAX_BODIES];
     Setup setup[MAX_BODIES]; /* of two bodies, with the scene of each */
     Scene scene[MAX_BODIES];
     Contact contact;
-    double *field[FIELDS]; /* of both bodies, one after the other; of one body NULL */
-    int *id;
+    Joined *both; /* of one body NULL */
 } Bodies;
 
 /* Both sims of the scene `setup` is for; false and a fault. To be freed in any case. */

@@ -40,16 +40,16 @@ static void stash_numbers(Loop *l, Stash *s)
     STASH(s, l->reactions);
 }
 
-/* Positions by id, where work is recorded. */
-static void stash_positions(Loop *l, Stash *s)
+/* Positions and body forces by id, where work is recorded. */
+static void stash_loads(Loop *l, Stash *s)
 {
     Points p;
     Samples q;
     long n = 0;
     l->plan->solver->view(l->self, &p, &q);
     for (int k = 0; k < p.n; k++) n += p.id[k] >= 0;
-    if (!stash_same(s, l->from[0] ? n : 0) || !l->from[0]) return;
-    for (int d = 0; d < DIM; d++) stash_bytes(s, l->from[d], sizeof(double) * (size_t)n);
+    if (stash_same(s, l->loads ? n : 0) && l->loads)
+        stash_bytes(s, l->loads, sizeof *l->loads * (size_t)n);
 }
 
 /* The history so far is part of the state, since its file appears at the end only. */
@@ -91,7 +91,7 @@ static void stash_loop(Loop *l, Moment *m, Side *before, Stash *s)
     STASH(s, *m);
     STASH(s, *before);
     l->plan->solver->stash(l->self, s);
-    if (!s->bad) stash_positions(l, s);
+    if (!s->bad) stash_loads(l, s);
     if (!s->bad) snapshot_stash(&l->shots, s);
     if (!s->bad) stash_history(l, s);
 }

@@ -136,14 +136,55 @@ double ledger_strain(const Scene *scene, const Samples *q, int threads, Scratch 
     return sum;
 }
 
-double ledger_work(const Scene *scene, const Points *p, ConstFields from, double t, Scratch *s)
+typedef struct Works {
+    const Scene *scene;
+    const Points *p;
+    double t;
+    BodyLoad *before;
+    double *part; /* [blocks] */
+} Works;
+
+static double work_of_slots(const Works *w, int at, int n)
 {
+    const Points *p = w->p;
+    const double *X[DIM];
+    Field b[DIM];
+    double *to[DIM], sum = 0;
+    for (int d = 0; d < DIM; d++) X[d] = p->X[d] + at, to[d] = b[d];
+    w->scene->problem->body(w->scene, n, X, w->t, to);
+    for (int k = 0; k < n; k++) {
+        if (p->id[at + k] < 0) continue;
+        BodyLoad *was = &w->before[p->id[at + k]];
+        double work = 0;
+        for (int d = 0; d < DIM; d++) {
+            const double x = p->x[d][at + k];
+            work += 0.5 * (b[d][k] + was->b[d]) * (x - was->x[d]);
+            was->x[d] = x, was->b[d] = b[d][k];
+        }
+        sum += p->m[at + k] * work;
+    }
+    return sum;
+}
+
+static void sum_works(void *own, int first, int last)
+{
+    const Works *w = own;
+    for (int b = first; b < last; b++) {
+        const int end = least_int(w->p->n, (b + 1) * BLOCK);
+        w->part[b] = 0;
+        for (int at = b * BLOCK; at < end; at += CHUNK)
+            w->part[b] += work_of_slots(w, at, least_int(end - at, CHUNK));
+    }
+}
+
+double ledger_work(const Scene *scene, const Points *p, double t, BodyLoad before[], int threads,
+                   Scratch *s)
+{
+    const int blocks = (p->n + BLOCK - 1) / BLOCK;
     double sum = 0;
     if (!scene->problem->body) return 0;
-    scene->problem->body(scene, p->n, p->X, t, s->v);
-    for (int d = 0; d < DIM; d++)
-        for (int k = 0; k < p->n; k++)
-            if (p->m[k] > 0) sum += p->m[k] * s->v[d][k] * (p->x[d][k] - from[d][p->id[k]]);
+    team_share(threads, blocks, sum_works, &(Works){scene, p, t, before, s->w});
+    for (int b = 0; b < blocks; b++) sum += s->w[b];
     return sum;
 }
 

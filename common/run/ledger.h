@@ -27,10 +27,16 @@ double ledger_strain(const Scene *scene, const Samples *q, int threads, Scratch 
  * none; the others are NAN. */
 void ledger_angular_momentum(const Points *p, double out[3]);
 
-/* [J] Work of the body forces of time t on each point's displacement from from[DIM][id] to x: the
- * sum of m b(X, t) . (x - from). FLIP particles do not move with their own velocities, so these do
- * not enter. */
-double ledger_work(const Scene *scene, const Points *p, ConstFields from, double t, Scratch *s);
+/* Position and body force of a point at one instant. */
+typedef struct BodyLoad {
+    Vec x, b; /* [m], [m/s^2] */
+} BodyLoad;
+
+/* [J] Work of the body forces on each point's displacement since an instant before, at which it was
+ * at before[id]: the sum of m (b + b_before)/2 . (x - x_before), b = b(X, t). FLIP particles do not
+ * move with their own velocities, so these do not enter. Then before[] is what it is at t. */
+double ledger_work(const Scene *scene, const Points *p, double t, BodyLoad before[], int threads,
+                   Scratch *s);
 
 /* Id of the fastest point with mass (the lowest of equals; -1: none), and its speed [m/s]. */
 int ledger_fastest_point(const Points *p, double *speed);

@@ -131,39 +131,30 @@ void loop_record_errors(Loop *l, Errors e)
     l->worst.l1 = larger(l->worst.l1, e.l1);
 }
 
-static void keep_positions(Loop *l, const Points *p)
+/* Work of body forces on the displacements since they were kept to time t, and keeps them again. */
+static double work_until(Loop *l, double t)
 {
-    for (int d = 0; d < DIM; d++)
-        for (int k = 0; k < p->n; k++)
-            if (p->id[k] >= 0) l->from[d][p->id[k]] = p->x[d][k];
+    const Points p = points_of(l);
+    return ledger_work(&l->plan->scene, &p, t, l->loads, l->plan->setup.threads, &l->scratch);
 }
 
 bool loop_open(Loop *l)
 {
     const Points p = points_of(l);
-    bool ok = true;
     if (!l->plan->scene.problem->body) return true;
-    for (int d = 0; d < DIM; d++)
-        ok = (l->from[d] = malloc(sizeof(double) * (size_t)(p.n + 1))) && ok;
-    if (ok) keep_positions(l, &p);
-    return ok;
+    l->loads = calloc((size_t)p.n + 1, sizeof *l->loads);
+    if (l->loads) work_until(l, l->t);
+    return l->loads;
 }
 
 void loop_close(Loop *l)
 {
-    for (int d = 0; d < DIM; d++) free(l->from[d]), l->from[d] = NULL;
+    free(l->loads);
+    l->loads = NULL;
 }
 
-/* Work of body forces over the step from t to t + dt: the mean of their values at both times. */
-void loop_record_work(Loop *l, double t)
+void loop_record_work(Loop *l)
 {
-    const Scene *scene = &l->plan->scene;
-    const Points p = points_of(l);
-    const double *const *from = (const double *const *)l->from;
-    if (scene->problem->body) {
-        l->bodies += 0.5 * (ledger_work(scene, &p, from, t, &l->scratch) +
-                            ledger_work(scene, &p, from, t + l->dt, &l->scratch));
-        keep_positions(l, &p);
-    }
+    if (l->loads) l->bodies += work_until(l, pace_end_of_step(l));
     l->work = l->bodies + l->plan->solver->work(l->self);
 }

@@ -53,7 +53,7 @@ typedef struct Loop {
     double noise;               /* [J] round-off of stored energy */
     long instants;              /* whose energy is recorded */
     double bodies, work;        /* [J] of body forces on the steps finished; of all */
-    double *from[DIM]; /* [m] positions by id after the last step, for work; owned, or NULL */
+    BodyLoad *loads; /* by id after the last step, for the work of body forces; owned, or NULL */
     Vec p0;
     double drift, momentum; /* largest |p - p0 - impulse|, largest sum m |v| */
     Status status;
@@ -81,7 +81,8 @@ double pace_end_of_step(const Loop *l);
 /* Weight w of the half step after an instant: K = (1 - w) K_before + w K_after. */
 double pace_share_after(const Loop *l);
 
-/* Stores the positions of all points for loop_record_work; frees them. false: out of memory. */
+/* Keeps the positions and body forces of all points at time l->t for loop_record_work; frees them.
+ * false: out of memory. */
 bool loop_open(Loop *l);
 void loop_close(Loop *l);
 
@@ -96,7 +97,7 @@ void loop_record_start(Loop *l, const Side *before, const Side *after, double st
 /* Energies of the instant m->t between two sides. */
 void loop_record_energy(Loop *l, Moment *m, const Side *before, const Side *after);
 void loop_record_momentum(Loop *l, const Side *after);
-void loop_record_work(Loop *l, double t); /* of the step from t that has just been finished */
+void loop_record_work(Loop *l); /* of the step that has just been finished */
 void loop_record_errors(Loop *l, Errors e);
 
 /* Hand-over, before step `done` is taken: is it due? Then do it and measure *before again. False: a

@@ -1,4 +1,4 @@
-/* norm.c: see norm.h. Sums run in slot order, which no number of threads changes. */
+/* norm.c: see norm.h. Sums run over blocks of slots in order, whatever the number of threads. */
 #include <math.h>
 #include <stdlib.h>
 #include "norm.h"
@@ -6,6 +6,7 @@
 
 bool norm_scratch_fit(Scratch *s, int n)
 {
+    n += CHUNK; /* room for sums, however few the points are */
     if (n <= s->room) return true;
     norm_scratch_free(s);
     bool ok = (s->w = malloc(sizeof(double) * (size_t)n)) != NULL;
@@ -23,28 +24,61 @@ void norm_scratch_free(Scratch *s)
 
 const Errors norm_no_errors = {NAN, NAN, NAN};
 
-/* Norms of e[] with weights w[]; a NaN error makes every norm NaN, and so does the lack of any. */
-static Errors norms(int n, const double e[], const double w[])
+/* The larger number, or NaN if one of them is. */
+static double larger(double a, double b)
 {
-    double most = 0, square = 0, sum = 0, weight = 0;
-    for (int k = 0; k < n; k++) {
-        if (!(w[k] > 0)) continue;
-        most = isnan(most) || e[k] <= most ? most : e[k];
-        square += w[k] * e[k] * e[k];
-        sum += w[k] * e[k];
-        weight += w[k];
-    }
-    if (!(weight > 0)) return norm_no_errors;
-    return (Errors){most, sqrt(square / weight), sum / weight};
+    return isnan(a) || b <= a ? a : b;
 }
 
-/* Of the slots from `at` on, at most n: e over the scale, into s->w. */
-static void displacement_errors(const Scene *scene, const Points *p, double t, int at, int n,
+/* Of some points: max e, sum w e^2, sum w e, sum w. */
+typedef struct Sums {
+    double most, square, sum, weight;
+} Sums;
+
+static Sums sums_add(Sums a, Sums b)
+{
+    return (Sums){larger(a.most, b.most), a.square + b.square, a.sum + b.sum, a.weight + b.weight};
+}
+
+/* Of errors e[] with weights w[], points without weight apart. Sums run over lanes, so that the
+ * loop is vectorized. */
+static Sums sums_of(int n, const double e[], const double w[])
+{
+    enum { LANE = 16 };
+    Sums all = {0};
+    double most[LANE] = {0}, square[LANE] = {0}, sum[LANE] = {0}, weight[LANE] = {0};
+    const int whole = n - n % LANE;
+    for (int at = 0; at < whole; at += LANE)
+        for (int k = 0; k < LANE; k++) {
+            const bool counts = w[at + k] > 0;
+            const double own = counts ? w[at + k] : 0, error = counts ? e[at + k] : 0;
+            most[k] = larger(most[k], error);
+            square[k] += own * error * error;
+            sum[k] += own * error;
+            weight[k] += own;
+        }
+    for (int k = 0; k < LANE; k++)
+        all = sums_add(all, (Sums){most[k], square[k], sum[k], weight[k]});
+    for (int k = whole; k < n; k++)
+        if (w[k] > 0) all = sums_add(all, (Sums){e[k], w[k] * e[k] * e[k], w[k] * e[k], w[k]});
+    return all;
+}
+
+/* A NaN error makes every norm NaN, and so does the lack of any. */
+static Errors norms(Sums s)
+{
+    if (!(s.weight > 0)) return norm_no_errors;
+    return (Errors){s.most, sqrt(s.square / s.weight), s.sum / s.weight};
+}
+
+/* Of the slots from `at` on, at most n: e over the scale, into s->w; their sums. */
+static Sums displacement_errors(const Scene *scene, const Points *p, double t, int at, int n,
                                 Scratch *s)
 {
     const double *X[DIM];
     double *u[DIM];
     for (int d = 0; d < DIM; d++) X[d] = p->X[d] + at, u[d] = s->v[d] + at;
+    const double scale = scene->error_scale;
     if (n > p->n - at) n = p->n - at;
     scene->problem->exact(scene, n, X, t, u);
     for (int k = 0; k < n; k++) {
@@ -53,8 +87,9 @@ static void displacement_errors(const Scene *scene, const Points *p, double t, i
             const double e = p->x[d][at + k] - X[d][k] - u[d][k];
             square += e * e;
         }
-        s->w[at + k] = sqrt(square) / scene->error_scale;
+        s->w[at + k] = sqrt(square) / scale;
     }
+    return sums_of(n, s->w + at, p->V0 + at);
 }
 
 typedef struct Displacements {
@@ -66,18 +101,26 @@ typedef struct Displacements {
 
 enum { BLOCK = 16 * CHUNK };
 
+/* Where the sums of a block stand: in the place of its displacements, which have been used. */
+static Sums *block_sums(const Scratch *s, int b)
+{
+    return (void *)(s->v[0] + (size_t)b * BLOCK);
+}
+
 static void blocks_of_errors(void *own, int first, int last)
 {
     const Displacements *d = own;
     for (int b = first; b < last; b++)
-        displacement_errors(d->scene, d->p, d->t, b * BLOCK, BLOCK, d->s);
+        *block_sums(d->s, b) = displacement_errors(d->scene, d->p, d->t, b * BLOCK, BLOCK, d->s);
 }
 
 Errors norm_displacement(const Scene *scene, const Points *p, double t, int threads, Scratch *s)
 {
-    team_share(threads, (p->n + BLOCK - 1) / BLOCK, blocks_of_errors,
-               &(Displacements){scene, p, t, s});
-    return norms(p->n, s->w, p->V0);
+    const int blocks = (p->n + BLOCK - 1) / BLOCK;
+    Sums all = {0};
+    team_share(threads, blocks, blocks_of_errors, &(Displacements){scene, p, t, s});
+    for (int b = 0; b < blocks; b++) all = sums_add(all, *block_sums(s, b));
+    return norms(all);
 }
 
 Errors norm_projection(const Scene *scene, const Nodes *n, Scratch *s)
@@ -96,5 +139,5 @@ Errors norm_projection(const Scene *scene, const Nodes *n, Scratch *s)
         s->w[k] = sqrt(error / size);
         weight[k] = inside;
     }
-    return norms(n->n, s->w, weight);
+    return norms(sums_of(n->n, s->w, weight));
 }

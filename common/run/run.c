@@ -96,7 +96,7 @@ static void run_steps(Loop *l)
         centre(&m, &before, &after, l->done > 0 ? pace_share_after(l) : 0);
         loop_record_energy(l, &m, &before, &after);
         loop_record_momentum(l, &after);
-        loop_record_work(l, t);
+        loop_record_work(l);
         const Errors e = errors_now(l, t + l->dt);
         loop_record_errors(l, e);
         m.error_linf = e.linf;

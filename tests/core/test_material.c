@@ -1,6 +1,8 @@
-/* test_material.c: the logarithm of chunks, stress against stored energy, rotations. */
+/* test_material.c: logarithm, sine and cosine of chunks, stress against stored energy, rotations.
+ */
 #include <stdlib.h>
 #include "common/contract/chunk_log.h"
+#include "common/contract/chunk_trig.h"
 #include "tests/fixture.h"
 
 enum { NUMBERS = 200000 };
@@ -32,6 +34,35 @@ static void test_log_n(void)
     for (int k = 0; k < COUNT(x); k++) x[k] = fixture_random(0.1, 3);
     log_n(COUNT(x), x, y);
     for (int k = 0; k < COUNT(x); k++) CHECK_CLOSE(y[k], log(x[k]), 1e-15);
+}
+
+/* Error of y = f(x) in units of the last place of f, or of 1e-16 |x| near zeros of f. */
+static double trig_ulps(double y, long double exact, double x)
+{
+    const double size = fabs((double)exact), ulp = nextafter(size, INFINITY) - size;
+    return (double)fabsl((long double)y - exact) / fmax(ulp, 1e-16 * fabs(x));
+}
+
+/* All magnitudes up to 1e5, and around the cuts at odd multiples of pi/4. */
+static void test_trig(void)
+{
+    double worst = 0, s, c;
+    for (int k = 0; k < NUMBERS; k++) {
+        const double cut = (2 * floor(fixture_random(-20, 20)) + 1) * M_PI / 4;
+        const double at[] = {copysign(pow(10, fixture_random(-10, 5)), fixture_random(-1, 1)),
+                             fixture_random(-4, 4), cut + fixture_random(-1, 1) * 1e-9};
+        for (int j = 0; j < COUNT(at); j++) {
+            trig_sin_cos(at[j], &s, &c);
+            worst = fmax(worst, trig_ulps(s, sinl((long double)at[j]), at[j]));
+            worst = fmax(worst, trig_ulps(c, cosl((long double)at[j]), at[j]));
+        }
+    }
+    CU_ASSERT(worst <= 1);
+    trig_sin_cos(0, &s, &c);
+    CU_ASSERT(s == 0 && c == 1);
+    trig_sin_cos(NAN, &s, &c);
+    CU_ASSERT(isnan(s) && isnan(c));
+    CU_ASSERT(trig_sin(0.5) == -trig_sin(-0.5) && trig_cos(0.5) == trig_cos(-0.5));
 }
 
 static double energy(const Material *m, const Mat F)
@@ -184,6 +215,7 @@ static void test_without_tension(void)
 static const TestCase tests[] = {
     {"logarithm to 1.5 ulp", test_log},
     {"logarithms of many", test_log_n},
+    {"sine and cosine", test_trig},
     {"stress is the derivative of stored energy", test_stress},
     {"rest and rotation are free of stress", test_rotation},
     {"stress across the plane", test_out_of_plane},

@@ -129,32 +129,6 @@ static void test_sums(void)
     CHECK_CLOSE(v.most, fmax(J[0], J[1]), 0);
 }
 
-/* Many points, in blocks with a rest: the sums of a plain loop, and the same bits by threads. */
-static void test_blocks(void)
-{
-    enum { MANY = 5000 };
-    static double m[MANY], v[DIM][MANY];
-    Scratch scratch = {0};
-    Points q = {.n = MANY, .m = m};
-    double kinetic = 0, px = 0;
-    for (int d = 0; d < DIM; d++) q.v[d] = v[d];
-    for (int k = 0; k < MANY; k++) {
-        m[k] = fixture_random(0, 1);
-        for (int d = 0; d < DIM; d++) v[d][k] = fixture_random(-1, 1);
-        px += m[k] * v[0][k];
-        for (int d = 0; d < DIM; d++) kinetic += 0.5 * m[k] * v[d][k] * v[d][k];
-    }
-    CU_ASSERT_FATAL(norm_scratch_fit(&scratch, MANY));
-    const Side one = ledger_motion(&q, 1, &scratch);
-    CHECK_CLOSE(one.kinetic / kinetic, 1, 1e-13);
-    CHECK_CLOSE(one.p[0], px, 1e-11);
-    for (int threads = 2; threads < 5; threads++) {
-        const Side many = ledger_motion(&q, threads, &scratch);
-        CU_ASSERT(memcmp(&one, &many, sizeof one) == 0);
-    }
-    norm_scratch_free(&scratch);
-}
-
 /* Of two bodies: m r x v of their relative motion, reduced mass 10/7. */
 static void test_turning(void)
 {
@@ -285,7 +259,6 @@ static void test_thread_rows(void)
 }
 
 static const TestCase tests[] = {
-    {"sums over blocks of points", test_blocks},
     {"error norms", test_norms},
     {"errors of a projection", test_projection},
     {"kinetic energy, momentum, volumes", test_sums},
