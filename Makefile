@@ -157,12 +157,15 @@ $(RUN_UNIT): run-%:
 	  $(if $(ONLY_$*),ONLY='$(ONLY_$*)') OMP_WAIT_POLICY=passive $(CURDIR)/$(BUILD)/tests/$*
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
-bench: all $(BUILD)/tests/bench ## speed: figure T-3, and instructions if valgrind is installed
+bench: all $(BUILD)/tests/bench $(BUILD)/tests/palette ## speed: figure T-3, and instructions if valgrind is installed
 	@$(MAKE) -s BUILD=$(BUILD)/avx2 ARCH=-march=x86-64-v3 all
 	BUILD=$(BUILD) bash tests/tools/bench.sh
 
 $(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,tools/bench tools/bare_loops $(TEXTBOOK)) \
   $(BASE_OBJECTS) $(call objects,2)
+	$(LINK)
+
+$(BUILD)/tests/palette: $(BUILD)/tests/tools/palette.o $(TEST_OBJECTS)
 	$(LINK)
 
 # Seeded faults in all parts of the program, a line each in tests/tools/mutants.list: the tests must see each.
@@ -207,7 +210,7 @@ $(FUZZERS:%=$(BUILD)/tests/fuzz_%): $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz/f
 	$(LINK) -fsanitize=fuzzer
 
 # Every source compiled, for lint.
-objects: all $(UNIT_TESTS) $(BUILD)/tests/bench $(FUZZERS:%=$(BUILD)/tests/fuzz/fuzz_main_%.o) ## every source compiled, for lint
+objects: all $(UNIT_TESTS) $(BUILD)/tests/bench $(BUILD)/tests/palette $(FUZZERS:%=$(BUILD)/tests/fuzz/fuzz_main_%.o) ## every source compiled, for lint
 
 # The program looks for its plots beside itself, in ../share.
 PREFIX  = /usr/local

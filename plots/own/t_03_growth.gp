@@ -20,8 +20,8 @@ do for [d = 1:3] {
     mine(m, t) = strcol('method') eq m && column('dim') == d && column('threads') == t ? column('wall_ns') : NaN
     plot for [m in others] file using 'particles':(mine(m, 1)) with lines lc rgb '#cccccc' lw 1 notitle, \
          for [k = 1:words(shown)] file using 'particles':(mine(word(shown, k), 1)) with linespoints \
-             lc k pt k + 3 ps 0.7 lw 1.6 title plain(word(shown, k)), \
-         for [k = 1:words(shown)] file using 'particles':(mine(word(shown, k), 2)) with lines lc k dt 2 lw 1.2 notitle, \
+             ls style(word(shown, k)) title plain(word(shown, k)), \
+         for [k = 1:words(shown)] file using 'particles':(mine(word(shown, k), 2)) with lines ls style(word(shown, k)) dt 2 notitle, \
          d == 2 ? 500 / flops : NaN with lines ls 20 title 'flops (GIMP)', \
          d == 2 ? 350 / bytes : NaN with lines ls 21 title 'bytes (GIMP)'
 }

@@ -20,6 +20,9 @@ for m in "${methods[@]}"; do cases+=("$m|free_block --method $m --set steps=40")
 cases+=("mpm-cd|free_block --method mpm --integrator cd --set steps=40"
     "gimp-1e4|free_block --cells 50 --set steps=250" "gimp-1e6|free_block --cells 512 --set steps=20"
     "gimp-run|free_block --set steps=400" "gimp-2-threads|free_block --threads 2 --set steps=40"
+    "ring-run|ring --method gimp --cells 64" # with error norms and the work of body forces
+    "axis_mms-run|axis_mms --method gimp --cells 48" "plate_vibration-run|plate_vibration --method gimp --cells 96"
+    "two_disks-run|two_disks --method gimp --cells 64"
     "gimp-box-15|free_block --set box=15 --set steps=40"
     "gimp-40|sine_bar --method gimp --cells 20 --ppc 2 --cfl .1 --t-end 1" # what a step costs beside its particles
     "gimp-1d|free_block --cells 16384 --set dim=1 --set steps=40"
@@ -43,6 +46,12 @@ for ((round = 0; round < ROUNDS; round++)); do
                       print $at["cpu_s"] / n, $at["wall_s"] / n, $at["wall_run_s"] / n }' \
             "$work/row.csv" >>"$work/$name.ns"
     done
+    # two processes of one thread at once: what two threads could reach at best here
+    for k in 1 2; do
+        "$lab" run free_block --set steps=40 --quiet | pick wall_s >"$work/process.$k" &
+    done
+    wait
+    sort -g "$work/process.1" "$work/process.2" | awk 'END { ns = $1 / (65536 * 40) * 1e9; print ns, ns, ns }' >>"$work/two-processes.ns"
     "$bench" twin 128 2 | awk '{ print $2, $2, $2 }' >>"$work/twin.ns"
     for kind in mls gimp; do # as a user would write them
         "$bench" bare $kind 128 40 >"$work/bare" || { echo "bench: the bare $kind loop is wrong" >&2; exit 1; }
@@ -70,13 +79,13 @@ twin=$(sort -g "$work/twin.ns" | awk 'NR == 1 { print $1 }')
 gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
 {
     echo "case,particles,ns_best,ns_median,wall_best,instructions_avx2,ratio_to_gimp,ratio_to_twin,integrator,whole_best"
-    for c in "${cases[@]}" "twin|" "bare-mls|" "bare-gimp|"; do
+    for c in "${cases[@]}" "twin|" "bare-mls|" "bare-gimp|" "two-processes|"; do
         name=${c%%|*} n=65536 count='' integrator=-
         if [ "${c#*|}" != "" ]; then
             n=$(pick particles <"$work/$name.row")
             integrator=$(pick integrator <"$work/$name.row")
         fi
-        case "$name" in gimp-* | *-3d | fem-* | twin | bare-*) ;; *) count=$(instructions "${c#*|} --set steps=4") ;; esac
+        case "$name" in gimp-* | *-run | *-3d | fem-* | twin | bare-* | two-*) ;; *) count=$(instructions "${c#*|} --set steps=4") ;; esac
         sort -g "$work/$name.ns" | awk -v name="$name" -v n="$n" -v count="$count" -v gimp="$gimp" -v twin="$twin" \
             -v integrator="$integrator" '
             { cpu[NR] = $1; if (NR == 1 || $2 < wall) wall = $2; if (NR == 1 || $3 < whole) whole = $3 }
@@ -91,8 +100,10 @@ gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
 mv "$work/t_03_speed.csv" "$OUT/t_03_speed.csv" || exit 1
 column -s, -t "$OUT/t_03_speed.csv" 2>/dev/null || cat "$OUT/t_03_speed.csv"
 
-awk -F, '$1 == "gimp-run" { printf "gimp: whole run %g ns per particle-step, step loop %g, ratio %.3f\n", $10, $5, $10 / $5 }' \
-    "$OUT/t_03_speed.csv"
+awk -F, '{ wall[$1] = $5 }
+    $1 ~ /-run$/ { printf "%s: whole run %g ns per particle-step, step loop %g, ratio %.3f\n", $1, $10, $5, $10 / $5 }
+    END { printf "two threads: %.2f times as fast; two processes of one thread do %.2f times the work of one\n",
+          wall["gimp"] / wall["gimp-2-threads"], 2 * wall["gimp"] / wall["two-processes"] }' "$OUT/t_03_speed.csv"
 
 # Where the instructions of a step of GIMP go, by the function that they are compiled into; the ledger, which comes
 # after each step, stands in the sum and not in instructions_avx2.
@@ -171,7 +182,7 @@ mv "$work/t_03_growth.csv" "$OUT/t_03_growth.csv" || exit 1
 command -v gnuplot >/dev/null || { echo "SKIPPED gnuplot: no figure T-3" >&2; exit 0; }
 for name in t_03_speed t_03_growth; do
     for fmt in svg png; do
-        gnuplot -e "fmt='$fmt'; out='$work/figure'; dir='$OUT'; name='$name'; csv='$OUT/$name.csv'; plots='plots';
+        gnuplot -e "$("$BUILD/tests/palette") fmt='$fmt'; out='$work/figure'; dir='$OUT'; name='$name'; csv='$OUT/$name.csv'; plots='plots';
             bytes=$(value copy_gbs); flops=$(value fma_gflops)" \
             plots/own/$name.gp && [ -s "$work/figure" ] && mv "$work/figure" "$OUT/$name.$fmt" || exit 1
     done
