@@ -12,16 +12,16 @@ typedef struct Motion {
 } Motion;
 
 /* Subtracts the internal force on the real particles' nodes, and the momentum to be replaced. */
-static void record_forces(Sim *sim, const Motion *m)
+static void record_forces(Sim *sim, int row, const void *motion)
 {
+    const Motion *m = motion;
     Grid *g = &sim->g;
-    for (int row = 0; row < g->rows; row++)
-        for (int i = g->lo[row]; i < g->hi[row]; i++) {
-            const Line n = g->node[(size_t)row * (size_t)g->n[0] + (size_t)i];
-            for (int l = FLUX; l < LANES; l++)
-                g->impulse[row][(l - FLUX) % DIM] -= m->dt * m->scale * n[l];
-            for (int a = 0; a < DIM; a++) g->impulse[row][a] -= m->given.v_share * n[1 + a];
-        }
+    for (int i = g->lo[row]; i < g->hi[row]; i++) {
+        const Line n = g->node[(size_t)row * (size_t)g->n[0] + (size_t)i];
+        for (int l = FLUX; l < LANES; l++)
+            g->impulse[row][(l - FLUX) % DIM] -= m->dt * m->scale * n[l];
+        for (int a = 0; a < DIM; a++) g->impulse[row][a] -= m->given.v_share * n[1 + a];
+    }
 }
 
 /* Adds the momentum that the body forces on all nodes give: before symmetry folds them. */
@@ -55,22 +55,20 @@ static void row_drive(const Grid *g, int row, Vec drive)
 
 /* Work of moving walls over a step: what they bear of the nodes' forces as deposited, times their
  * way. */
-static void record_wall_work(Sim *sim, double dt)
+static void record_wall_work(Sim *sim, int row, const void *motion)
 {
+    const double dt = ((const Motion *)motion)->dt;
     Grid *g = &sim->g;
-    for (int row = 0; row < g->rows; row++) {
-        Vec drive;
-        row_drive(g, row, drive);
-        g->work[row] = 0;
-        for (int i = g->lo[row]; i < g->hi[row]; i++) {
-            const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
-            const unsigned held = row_hold(g, row) | g->hold[0][i];
-            drive[0] = g->drive[0][i];
-            for (int a = 0; a < DIM; a++) {
-                double f = g->force ? g->force[at * DIM + (size_t)a] : 0;
-                for (int b = 0; b < DIM; b++) f += g->node[at][FLUX + b * DIM + a];
-                if (held >> a & 1) g->work[row] -= f * drive[a] * dt;
-            }
+    Vec drive;
+    row_drive(g, row, drive);
+    for (int i = g->lo[row]; i < g->hi[row]; i++) {
+        const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;
+        const unsigned held = row_hold(g, row) | g->hold[0][i];
+        drive[0] = g->drive[0][i];
+        for (int a = 0; a < DIM; a++) {
+            double f = g->force ? g->force[at * DIM + (size_t)a] : 0;
+            for (int b = 0; b < DIM; b++) f += g->node[at][FLUX + b * DIM + a];
+            if (held >> a & 1) g->work[row] -= f * drive[a] * dt;
         }
     }
 }
@@ -216,12 +214,14 @@ void solve_all(Sim *sim, double dt, double scale, bool force)
     const double pic = sim->method.pic;
     const Motion motion = {
         dt, scale, force, g->nmirror > 0 || sim->method.repair, {dt * (1 - pic), force ? pic : 0}};
-    for (int row = 0; row < g->rows; row++)
+    for (int row = 0; row < g->rows; row++) {
         for (int a = 0; a < DIM; a++) g->impulse[row][a] = 0;
-    if (motion.early && force) record_forces(sim, &motion);
+        if (g->work) g->work[row] = 0;
+    }
+    if (motion.early && force) each_row(sim, record_forces, &motion);
     if (sim->setup->reactions && force && g->force) record_outside(sim, dt * scale);
     if (g->nmirror) mirror_fold(sim);
-    if (g->work && force) record_wall_work(sim, dt);
+    if (g->work && force) each_row(sim, record_wall_work, &motion);
     if (sim->method.repair) sim->method.repair(sim, dt * scale);
     each_row(sim, solve_any_row, &motion);
     if (g->nmirror) mirror_unfold(sim, motion.given);
