@@ -207,6 +207,14 @@ typedef struct Method {
     void (*adapt)(const double par[], struct Method *own);
 } Method;
 
+/* The copy of a method that a run with these parameters uses. */
+static inline Method method_adapted(const Method *m, const double par[])
+{
+    Method own = *m;
+    if (own.adapt) own.adapt(par, &own);
+    return own;
+}
+
 /* All methods in the order of methods/methods.def, ended by NULL. */
 extern const Method *const methods[];
 

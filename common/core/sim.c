@@ -269,10 +269,9 @@ Sim *sim_new(const Setup *setup, Fault *fault)
         fault_set(fault, FAULT_MACHINE, "out of memory");
         return NULL;
     }
-    *sim = (Sim){.setup = setup, .method = *setup->method};
+    *sim = (Sim){.setup = setup, .method = method_adapted(setup->method, setup->method_par)};
     sim->total = setup->frame == FRAME_TOTAL;
     sim->domain = sim->total ? DOMAIN_UNDEFORMED : setup->domain;
-    if (sim->method.adapt) sim->method.adapt(setup->method_par, &sim->method);
     const int bad = build(sim, &layout, fault);
     layout_free(&layout);
     if (!bad) return sim;

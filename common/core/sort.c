@@ -6,17 +6,19 @@
 #include <string.h>
 #include "passes.h"
 #include "stretch.h"
+#include "common/base/team.h"
 
 /* Where every particle's stencil stands, per axis: its cell, or its nearest node if stencils are
  * about a node (odd widths), so that neighbours in the order share all their nodes. */
-static void find_keys(Sim *sim)
+static void find_keys(void *own, int first, int last)
 {
+    Sim *sim = own;
     for (int d = 0; d < DIM; d++) {
         const double *x = sim->p.field[(sim->total ? AT_X0 : AT_X) + d], cells = sim->g.cells,
                      shift = sim->key_shift;
-        const int origin = sim->g.origin[d], n = sim->p.n;
+        const int origin = sim->g.origin[d];
         int *key = sim->p.key[d];
-        for (int k = 0; k < n; k++) key[k] = (int)floor(x[k] * cells + shift) - origin;
+        for (int k = first; k < last; k++) key[k] = (int)floor(x[k] * cells + shift) - origin;
     }
 }
 
@@ -75,6 +77,18 @@ static void unload_padding(Sim *sim)
         if (p->id[k] < 0) p->field[AT_M][k] = p->field[AT_VOL][k] = 0;
 }
 
+typedef struct Move {
+    const int *source; /* by slot: the old slot */
+    const double *from;
+    double *to;
+} Move;
+
+static void move_slots(void *own, int first, int last)
+{
+    const Move *m = own;
+    for (int k = first; k < last; k++) m->to[k] = m->from[m->source[k]];
+}
+
 /* source[slot]: the old slot, or -1 - slot for its massless copy; becomes the old slot in any case.
  */
 static void permute(Sim *sim, int source[])
@@ -91,7 +105,7 @@ static void permute(Sim *sim, int source[])
     for (int f = 0; f < FIELDS; f++) {
         double *from = p->field[f], *to = p->spare;
         if (!from) continue;
-        for (int k = 0; k < p->n; k++) to[k] = from[source[k]];
+        team_share(sim->setup->threads, p->n, move_slots, &(Move){source, from, to});
         p->field[f] = to;
         p->spare = from;
     }
@@ -157,7 +171,7 @@ void sim_sort(Sim *sim)
     const int least = DIM == 1 ? 8 * BLOCK_ROWS : BLOCK_ROWS;
     sim->block_rows = (reach + least - 1) / least * least;
     int *buffer[2] = {sim->p.order, sim->p.source};
-    find_keys(sim);
+    team_share(sim->setup->threads, sim->p.n, find_keys, sim);
     int *order = cell_order(sim, buffer);
     int *source = order == buffer[0] ? buffer[1] : buffer[0];
     find_spans(sim, order);

@@ -83,12 +83,14 @@ static void say_integrators(unsigned set, const char *more, FILE *out)
     fprintf(out, "\t%s\n", more);
 }
 
-/* With the usual integrator and no body force; of a mesh solver (NULL) not said. */
+/* With the usual integrator and parameters and no body force; of a mesh solver (NULL) not said. */
 static void say_memory(const Method *m, FILE *out)
 {
+    double par[MAX_PARAMS];
     if (!m) return;
+    settings_default_parameters(m, par);
     const Setup setup = {.method = m, .integrator = (Integrator)m->integrator[DIM]};
-    const Sim sim = {.setup = &setup, .method = *m};
+    const Sim sim = {.setup = &setup, .method = method_adapted(m, par)};
     fprintf(out, "memory\t%g\tbytes\tper particle in %dD\n", sim_particle_bytes(&sim), DIM);
     fprintf(out, "memory\t%g\tbytes\tper live node in %dD\n", sim_node_bytes(&sim), DIM);
 }

@@ -14,10 +14,7 @@ int plan_no_exact_motion(const RunSpec *spec, Fault *fault)
 
 static bool needs_distance(const Method *m, const double par[])
 {
-    if (!m) return false;
-    Method own = *m;
-    if (own.adapt) own.adapt(par, &own);
-    return own.scene_distance;
+    return m && method_adapted(m, par).scene_distance;
 }
 
 /* A method that, with these parameters, asks the scene for distances which it does not have. */

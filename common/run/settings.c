@@ -152,9 +152,14 @@ int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fa
 /* Do the method's stencils widen with the particles, with these parameters? */
 static bool has_boxes(const Method *m, const double par[])
 {
-    Method own = *m;
-    if (own.adapt) own.adapt(par, &own);
+    const Method own = method_adapted(m, par);
     return !own.list && own.width(1) > own.width(0.5);
+}
+
+void settings_default_parameters(const Method *m, double par[])
+{
+    for (int k = 0; k < MAX_PARAMS; k++) par[k] = 0;
+    for (const Param *p = m->info.params; p && p->name; p++) par[p - m->info.params] = p->value;
 }
 
 bool settings_act_on_problem(int k, const Problem *p)
@@ -166,10 +171,10 @@ bool settings_act_on_problem(int k, const Problem *p)
 bool settings_act_on_method(int k, const Method *m)
 {
     const unsigned all = (1u << INTEGRATORS) - 1;
-    double par[MAX_PARAMS] = {0};
+    double par[MAX_PARAMS];
     if (k == P_STEPS || k == P_STOP || k == P_REPEAT || k == P_DIM || k == P_DT) return true;
     if (!m) return false; /* a mesh */
-    for (const Param *p = m->info.params; p && p->name; p++) par[p - m->info.params] = p->value;
+    settings_default_parameters(m, par);
     if (k == P_PARTICLES) return DIM == 1;
     if (k == P_ALLOW) return m->valid != all;
     if (k == P_REFRESH) return m->keeps_L;

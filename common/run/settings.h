@@ -35,6 +35,9 @@ int settings_frame(const RunSpec *spec, Plan *plan, const double run[], Fault *f
 /* The frame that a run has unless it is asked for another: its methods'. */
 Frame settings_usual_frame(const Setup *s);
 
+/* The parameters of a method if none is set; par[MAX_PARAMS]. */
+void settings_default_parameters(const Method *m, double par[]);
+
 /* Does setting k change anything on this problem with some method; with this method (NULL: a mesh)
  * at its default parameters on some problem? */
 bool settings_act_on_problem(int k, const Problem *p);

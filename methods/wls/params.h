@@ -70,8 +70,6 @@
 #define WLS_STAGES                                                                                 \
     .valid = 1u << CD | 1u << USL, .integrator = {[1] = CD, [2] = CD, [3] = CD}, .surface = true,  \
     .about_node = true, .width = tent_width, .shape = inner_tent_shape, .update = flip_update,     \
-    .node_bytes = sizeof(Line[FIT + 2]) + sizeof(Inertia) + (3 + CORNER_PAIRS) * sizeof(double) +  \
-                  sizeof(Bend) + 6,                                                                \
     .assemble = wls_assemble, .repair = wls_repair, .patches = wls_patches, .normal = wls_normal,  \
     .make = wls_make, .free = wls_free, .adapt = wls_adapt
 

@@ -44,6 +44,26 @@ void wls_release(Wls *w)
     free(w->fit), free(w->skin), free(w->skinned), free(w->most), free(w->good), free(w->fallbacks);
 }
 
+/* Are accelerations or velocities corrected by the mass matrix? */
+static bool has_inertia(const Wls *w)
+{
+    return w->corrected || w->sharpened;
+}
+
+/* What wls_make allocates per grid node. */
+static size_t node_bytes(const double par[])
+{
+    Wls w = {0};
+    read_choices(par, &w);
+    size_t n = sizeof *w.fit + sizeof *w.skin + sizeof *w.skinned + sizeof *w.most +
+               sizeof *w.good + sizeof *w.distance;
+    if (w.condition == CONDITION_COUNT) n += sizeof *w.count;
+    if (w.distance_by == DISTANCE_CURVED) n += sizeof *w.bend;
+    if (has_inertia(&w))
+        n += sizeof *w.inertia + sizeof *w.cell_mass + sizeof *w.cut + sizeof *w.stops;
+    return n;
+}
+
 bool wls_make(Sim *sim)
 {
     const Grid *g = &sim->g;
@@ -57,7 +77,7 @@ bool wls_make(Sim *sim)
     const double denser = sim->method.surface_per_cell / pow(sim->setup->ppc, 1.0 / DIM);
     w->surface_beta = 1;
     for (int d = 1; d < DIM && denser > 0; d++) w->surface_beta /= denser;
-    if (w->corrected || w->sharpened) {
+    if (has_inertia(w)) {
         w->inertia = nodes_of(n, sizeof *w->inertia);
         w->cell_mass = nodes_of(n, sizeof *w->cell_mass);
         w->cut = nodes_of(n, sizeof *w->cut);
@@ -66,8 +86,7 @@ bool wls_make(Sim *sim)
     if (w->distance_by == DISTANCE_CURVED) w->bend = nodes_of(n, sizeof *w->bend);
     w->distance = nodes_of(n, sizeof *w->distance);
     return wls_alloc(sim, w) && w->distance && (w->count || w->condition != CONDITION_COUNT) &&
-           ((w->inertia && w->cell_mass && w->cut && w->stops) ||
-            !(w->corrected || w->sharpened)) &&
+           ((w->inertia && w->cell_mass && w->cut && w->stops) || !has_inertia(w)) &&
            (w->bend || w->distance_by != DISTANCE_CURVED);
 }
 
@@ -82,6 +101,7 @@ void wls_free(Sim *sim)
 
 void wls_adapt(const double par[], Method *own)
 {
+    own->node_bytes = node_bytes(par);
     own->surface_per_cell = par[P_SURFACE_PER_CELL];
     own->keeps_L = par[P_HERMITE] > 0;
     own->scene_distance = (int)par[P_DISTANCE] == DISTANCE_EXACT;

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # example.sh FOLDER: README's worked examples, done as a reader would in a copy of the tree below FOLDER:
-# two methods (one with a number), a problem, a study with two claims and a plot: one file and one line each (the
-# study: two files and one line), built, run, and found in lists and in studies. Then what new-method refuses. Prints what failed, then "N passed, N failed"; status 1 if any did.
+# two methods (one with a number), a problem, a study with two claims and a plot, a test: one file and one line each (the
+# study: two files and one line), built, run, and found in lists and in studies. Then what new-method refuses. Prints what
+# failed, then "N passed, N failed"; status 1 if any did.
 set -u
 # shellcheck source=tests/cli/checks.sh
 source "$(dirname "$0")/checks.sh"
@@ -30,12 +31,10 @@ invariants() { # DIM: of every method in the list
     ONLY=invariants OMP_WAIT_POLICY=passive "$build/tests/core_$1d" >log || { grep -A 3 'had failures' log >&2; false; }
 }
 failed_range() { ! "$program" run free_bar --method blend --set alpha=2 >out 2>err && grep -q 'alpha' err; }
-# readme FILE: README's code that begins with the first line of this file is all of it.
-readme() {
-    local first
-    first=$(head -n 1 "$1")
-    awk -v first="$first" '$0 == first { on = 1 } /^```/ { on = 0 } on' "$root/README.md" | cmp -s - "$1"
-}
+# code LINE: README's code that begins with it.
+code() { awk -v first="$1" '$0 == first { on = 1 } /^```/ { on = 0 } on' "$root/README.md"; }
+readme() { code "$(head -n 1 "$1")" | cmp -s - "$1"; } # FILE: that code is all of it
+drifts() { ONLY='drift: ' OMP_WAIT_POLICY=passive "$build/tests/core_2d" >log || { grep -A 3 'had failures' log >&2; false; }; }
 
 rm -rf "$tree"
 mkdir -p "$tree"
@@ -79,7 +78,10 @@ ok "draws" test -s build/out/t_90_free_bar.svg
 ok "the page of claims is written" "$program" claims --out build/out >claims.log
 ok "its first claim passes" grep -q '^T-90.order,.*,PASS,' build/out/claims.csv
 ok "and its second" grep -q '^T-90.ratio,.*,PASS,' build/out/claims.csv
+code '/* test_drift.c: a block without stress that drifts keeps its velocity. */' >tests/core/test_drift.c
+echo 'core/test_drift: core_2d' >>tests/tests.def
 ok "every invariant holds for the methods in 2D" invariants 2
+ok "README's test passes, for these methods too" drifts
 unchanged "no method has" rpic
 unchanged "no method has" gimp
 unchanged "no method has" fem
