@@ -282,7 +282,7 @@ bool wls_make_centres(Sim *sim);
 void wls_free_centres(Sim *sim);
 void wls_integrate_centres(Sim *sim);
 void wls_repair_centres(Sim *sim, double dt);
-enum { CENTRES_BYTES = 2 * (sizeof(Line[FIT + 2]) + 2 * sizeof(double) + 2) + sizeof(double) };
+enum { CENTRES_BYTES = 2 * (sizeof(Line[FIT + 2]) + sizeof(double) + 2) + sizeof(double) };
 
 /* Indices of the node of a row of nodes at i. */
 static inline void wls_index_of(const Grid *g, int row, int i, int index[DIM])
