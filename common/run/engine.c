@@ -106,8 +106,11 @@ static void say_method(const Info *info, const Method *m, FILE *out)
     if (m) say_integrators(m->valid_fresh & ~m->valid, "with --set refresh=1", out);
     say_header(out);
     say_params(info->params, out);
-    for (int k = 0; k < RUN_PARAMS; k++)
-        if (settings_act_on_method(k, m)) say_param(&settings_common[k], out);
+    for (int k = 0; k < RUN_PARAMS; k++) {
+        Param p = settings_common[k];
+        p.value = settings_usual(&settings_common[k], &(Setup){.method = m});
+        if (settings_act_on_method(k, m)) say_param(&p, out);
+    }
 }
 
 /* The methods that an integrator is stable with. */

@@ -12,8 +12,9 @@ static const Param run_params[] = {
                    "1: L from the accelerated grid velocity before a "
                    "re-projection",
                    "", "0|1"},
-    [P_LAYOUT] = {"layout", 0, 0, 1, "", "particles on a lattice or fitted to the body", "",
-                  "cartesian|radial"},
+    [P_LAYOUT] = {"layout", 0, 0, 1, "",
+                  "particles on a lattice, or fitted to the body (default of the WLS methods)",
+                  "W11 5.1", "cartesian|radial"},
     [P_PARTICLES] = {"particles", 0, 1, 1e8, "", "number of particles (1D), instead of ppc", "",
                      NULL},
     [P_DIM] = {"dim", DIM, 1, 3, "", "dimension of a scene that has several", "", NULL},
@@ -213,11 +214,16 @@ static bool meets_walls_later(const Scene *s)
     return false;
 }
 
-Frame settings_usual_frame(const Setup *s)
+double settings_usual(const Param *p, const Setup *s)
 {
-    const bool total = (s->method && s->method->frame == FRAME_TOTAL) ||
-                       (s->method_b && s->method_b->frame == FRAME_TOTAL);
-    return total ? FRAME_TOTAL : FRAME_CURRENT;
+    const Method *const both[] = {s->method, s->method_b};
+    double value = p->value;
+    for (int k = 0; k < 2; k++) {
+        if (!both[k]) continue;
+        if (p == &settings_common[P_LAYOUT] && both[k]->surface) value = 1;
+        if (p == &settings_common[P_FRAME] && both[k]->frame == FRAME_TOTAL) value = FRAME_TOTAL;
+    }
+    return value;
 }
 
 /* Frame of the stencils: what is asked for, or the method's. */
@@ -225,7 +231,7 @@ int settings_frame(const RunSpec *spec, Plan *plan, const double run[], Fault *f
 {
     Setup *s = &plan->setup;
     const char *given = spec_get(spec, "frame");
-    s->frame = given ? (Frame)run[P_FRAME] : settings_usual_frame(s);
+    s->frame = given ? (Frame)run[P_FRAME] : (Frame)settings_usual(&settings_common[P_FRAME], s);
     if (s->frame != FRAME_TOTAL) return 0;
     if (!s->method || s->method->assemble || s->method->integrate)
         return fault_set(fault, FAULT_USAGE,

@@ -32,8 +32,9 @@ int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fa
 int settings_strain(const RunSpec *spec, Plan *plan, const double run[], Fault *fault);
 int settings_frame(const RunSpec *spec, Plan *plan, const double run[], Fault *fault);
 
-/* The frame that a run has unless it is asked for another: its methods'. */
-Frame settings_usual_frame(const Setup *s);
+/* Value of a common setting that is not typed, in a run of these methods: if one of two methods
+ * needs a body-fitted layout or the total frame, both have it. */
+double settings_usual(const Param *p, const Setup *s);
 
 /* The parameters of a method if none is set; par[MAX_PARAMS]. */
 void settings_default_parameters(const Method *m, double par[]);
