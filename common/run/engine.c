@@ -95,6 +95,17 @@ static void say_memory(const Method *m, FILE *out)
     fprintf(out, "memory\t%g\tbytes\tper live node in %dD\n", sim_node_bytes(&sim), DIM);
 }
 
+/* The run settings that act on a method, with the values that they have unless set. */
+static void say_settings(const Method *m, FILE *out)
+{
+    const Setup setup = {.method = m};
+    for (int k = 0; k < RUN_PARAMS; k++) {
+        Param p = settings_common[k];
+        p.value = settings_usual_value(k, &setup);
+        if (settings_act_on_method(k, m)) say_param(&p, out);
+    }
+}
+
 /* m: NULL for a mesh solver. */
 static void say_method(const Info *info, const Method *m, FILE *out)
 {
@@ -106,8 +117,7 @@ static void say_method(const Info *info, const Method *m, FILE *out)
     if (m) say_integrators(m->valid_fresh & ~m->valid, "with --set refresh=1", out);
     say_header(out);
     say_params(info->params, out);
-    for (int k = 0; k < RUN_PARAMS; k++)
-        if (settings_act_on_method(k, m)) say_param(&settings_common[k], out);
+    say_settings(m, out);
 }
 
 /* The methods that an integrator is stable with. */

@@ -105,12 +105,6 @@ static int by_name(const void *a, const void *b)
     return strcmp(((const Setting *)a)->name, ((const Setting *)b)->name);
 }
 
-/* Are particles fitted to the body unless asked otherwise? With two methods if one needs it. */
-static bool needs_surface(const Setup *s)
-{
-    return (s->method && s->method->surface) || (s->method_b && s->method_b->surface);
-}
-
 /* Of two bodies' methods: does each have a default of its own for this parameter, which was not
  * given? Then its name cannot say both. */
 static bool has_two_defaults(const RunSpec *spec, const Plan *plan, const char *name)
@@ -118,14 +112,6 @@ static bool has_two_defaults(const RunSpec *spec, const Plan *plan, const char *
     const Param *a = info_param_find(plan->method->params, name);
     const Param *b = plan->second ? info_param_find(plan->second->params, name) : NULL;
     return a && b && fabs(a->value - b->value) > 0 && !spec_get(spec, name);
-}
-
-/* Value of a run setting that is not typed, in this run. */
-static double usual_value(const Param *p, const Setup *s)
-{
-    if (p == &settings_common[P_LAYOUT]) return needs_surface(s);
-    if (p == &settings_common[P_FRAME]) return settings_usual_frame(s);
-    return p->value;
 }
 
 /* Adds every parameter of problem and method to the spec, which then selects this run alone. */
@@ -150,7 +136,7 @@ static int spell_out(RunSpec *spec, Plan *plan, Fault *fault)
         double value = 0;
         char takes[128];
         const bool read = p && !info_param_parse(p, spec->set[k].value, &value, takes);
-        const double known = p ? usual_value(p, &plan->setup) : 0;
+        const double known = p ? settings_usual_value((int)(p - settings_common), &plan->setup) : 0;
         const bool differs = p == &settings_common[P_DIM] || fabs(value - known) > 0;
         const bool keep = !p || (p != &settings_common[P_PARTICLES] && read && differs);
         if (!keep) continue;
@@ -245,7 +231,7 @@ int plan_make(RunSpec *spec, Plan *plan, Fault *fault)
     s->method_par = plan->method_par;
     s->method_b_par = plan->second_par;
     s->cells = (int)spec->cells;
-    s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : needs_surface(s);
+    s->fitted = spec_get(spec, "layout") ? run[P_LAYOUT] > 0 : settings_usual_fitted(s);
     s->threads = spec->threads > 0 ? spec->threads : 1;
     s->reactions = spec->history != NULL;
     s->snapshot_nodes = plan->scene.problem->projection || spec->nodes || spec->vtk;

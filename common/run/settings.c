@@ -220,6 +220,18 @@ Frame settings_usual_frame(const Setup *s)
     return total ? FRAME_TOTAL : FRAME_CURRENT;
 }
 
+bool settings_usual_fitted(const Setup *s)
+{
+    return (s->method && s->method->surface) || (s->method_b && s->method_b->surface);
+}
+
+double settings_usual_value(int k, const Setup *s)
+{
+    if (k == P_LAYOUT) return settings_usual_fitted(s);
+    if (k == P_FRAME) return settings_usual_frame(s);
+    return run_params[k].value;
+}
+
 /* Frame of the stencils: what is asked for, or the method's. */
 int settings_frame(const RunSpec *spec, Plan *plan, const double run[], Fault *fault)
 {

@@ -35,6 +35,12 @@ int settings_frame(const RunSpec *spec, Plan *plan, const double run[], Fault *f
 /* The frame that a run has unless it is asked for another: its methods'. */
 Frame settings_usual_frame(const Setup *s);
 
+/* Are particles fitted to the body unless asked otherwise? With two methods if one needs it. */
+bool settings_usual_fitted(const Setup *s);
+
+/* The value that setting k has with these methods unless it is set. */
+double settings_usual_value(int k, const Setup *s);
+
 /* The parameters of a method if none is set; par[MAX_PARAMS]. */
 void settings_default_parameters(const Method *m, double par[]);
 
