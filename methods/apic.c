@@ -2,11 +2,13 @@
  *
  * To the grid: m_i v_i = sum_p S_ip m_p (v_p + B_p D_p^-1 (x_i - x_p)); back: v_p = sum_i S_ip v_i,
  * B_p = sum_i S_ip v_i (x_i - x_p)^T. D_p = sum_i S_ip (x_i - x_p)(x_i - x_p)^T is diagonal for
- * products of one weight an axis; h^2/4 for the quadratic spline, but with GIMP it varies with
- * place and width. So B is kept, in the place of L, and divided by D as it is at the deposit: then
+ * products of one weight per axis: h^2/4 for the quadratic spline; with GIMP it varies with the
+ * position in the cell and the box width. Therefore particles keep B (in the array of L), and the
+ * deposit divides it by the current D: then
  *   sum_i x_i x m_i v_i = sum_p m_p (x_p x v_p + eps : B_p),
- * whatever D is, and the way back keeps it, as x moves with v: angular momentum is conserved.
- * Next to a wall the folded spline is a tent, whose D fades with the distance, as B does. */
+ * whatever D is, and the return conserves it, because x moves with v: angular momentum is
+ * conserved. Next to a wall the folded spline is a tent, whose D fades with the distance, as B
+ * does. */
 #include "methods/parts/shapes.h"
 #include "methods/parts/transfers.h"
 

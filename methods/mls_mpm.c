@@ -1,12 +1,12 @@
 /* mls_mpm.c: moving least squares MPM (Hu, Fang, Ge, Qu, Zhu, Pradhana & Jiang 2018).
  *
- * APIC's affine matrix C_p = M^-1 sum_i S_ip v_i (x_i - x_p)^T is the slope of the least-squares
+ * APIC's affine matrix C_p = D^-1 sum_i S_ip v_i (x_i - x_p)^T is the slope of the least-squares
  * plane through the grid velocities, and serves as the velocity gradient; the internal force is its
- * transpose, f_i = -sum_p V0 M^-1 tau S_ip (x_i - x_p), M = h^2/4 (cubic: h^2/3). No derivative of
- * S is used: these are the transfers of tpic with the slopes S (x_i - x_p)/M in the place of dS/dx.
- * Angular momentum sum m (x x v + eps : C M) is conserved, as by APIC.
+ * transpose, f_i = -sum_p V0 D^-1 tau S_ip (x_i - x_p), D = h^2/4 (cubic: h^2/3). No derivative of
+ * S is used: these are the transfers of tpic with the slopes S (x_i - x_p)/D in the place of dS/dx.
+ * Angular momentum sum m (x x v + eps : C D) is conserved, as by APIC.
  *
- * Left open: walls. The weights are folded there as for apic and bspline, and M is the sum of S
+ * Left open: walls. The weights are folded there as for apic and bspline, and D is the sum of S
  * (x_i - x_p)^2 as it is then. */
 #include "methods/parts/shapes.h"
 #include "methods/parts/transfers.h"
@@ -38,8 +38,8 @@ const Method method_mls_mpm = {
              .label = "MLS-MPM",
              .about = "APIC whose affine matrix is the velocity gradient, and gives the force",
              .source = "Hu et al. 2018",
-             .formula = "C_p = M^-1 sum S_ip v_i (x_i - x_p)^T, f_i = -sum V0 M^-1 tau S_ip (x_i - "
-                        "x_p), M = h^2/4",
+             .formula = "C_p = D^-1 sum S_ip v_i (x_i - x_p)^T, f_i = -sum V0 D^-1 tau S_ip (x_i - "
+                        "x_p), D = h^2/4",
              .params = params,
              .on_request = true},
     .valid = 1u << CD | 1u << UVF | 1u << MUSL | 1u << USL | 1u << USF,

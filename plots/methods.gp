@@ -1,4 +1,4 @@
-# methods.gp: seen_ = the methods of the table list_ in its order; at_(method) = their places from 0.
+# methods.gp: sets seen_, the methods in table list_ in order of appearance, and at_(method), their index from 0.
 seen_ = ''
 add_(m) = strstrt(' '.seen_.' ', ' '.m.' ') ? 0 : (seen_ = seen_.' '.m, 0)
 set datafile columnheaders # the first line is none of them

@@ -1,7 +1,7 @@
 /* chunk_log.h: natural logarithm of 64 numbers at once, within 1.5 ulp, as one vectorized loop.
  * x = 2^e m with m in [sqrt(1/2), sqrt(2)); log m by the odd series in s = (m-1)/(m+1) whose
- * minimax coefficients are those of Sun's fdlibm (e_log.c). Normal positive numbers; NaN for the
- * others. */
+ * minimax coefficients are those of Sun's fdlibm (e_log.c). For normal positive numbers; NaN for
+ * zero, negative numbers and NaN. Not for subnormal numbers and infinity. */
 #ifndef MPMLAB_CHUNK_LOG_H
 #define MPMLAB_CHUNK_LOG_H
 

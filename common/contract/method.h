@@ -94,8 +94,8 @@ typedef struct Payload {
                         * `moments` m L_ad D_d, D_d = sum_i S (x_i - x_p)_d^2 [m^2] as it is now */
 } Payload;
 
-/* Weights that are no products of axes: per particle a list of nodes, for all of a chunk of the
- * same length, in `points` parts of `part` nodes. at: node number; the same node may stand in
+/* Weights that are not products over the axes: per particle a list of nodes, for all of a chunk of
+ * the same length, in `points` parts of `part` nodes. at: node number; the same node may stand in
  * several places. Entry k of part c has the weight S_ip = S[c] N[k] and the gradient G[][c] N[k]
  * [1/cell]: parts of one node, N = 1, hold any weights; CPDI's parts are the nodes about a corner.
  */

@@ -16,7 +16,7 @@ typedef struct Scene Scene;
 typedef const double *const ConstFields[]; /* read-only component arrays */
 typedef double *const Fields[];            /* component arrays to fill */
 
-/* A line (plane) of grid nodes x[axis] = at where something is imposed, from there outwards. */
+/* A boundary condition on the grid nodes of the line (3D: plane) x[axis] = at and of all beyond. */
 typedef struct Wall {
     int axis;
     int side;      /* -1: nodes at and below `at` are held, the body lies above; +1: the reverse */

@@ -1,4 +1,4 @@
-/* solver.h: a solver + a scene + parameters -> one row. */
+/* solver.h: what advances points in time (particle core, FEM): its set-up, and its functions. */
 #ifndef MPMLAB_SOLVER_H
 #define MPMLAB_SOLVER_H
 

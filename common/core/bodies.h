@@ -19,10 +19,11 @@ typedef struct Bodies {
     Setup setup[MAX_BODIES]; /* of two bodies, with the scene of each */
     Scene scene[MAX_BODIES];
     Contact contact;
-    Joined *both; /* of one body NULL */
+    Joined *both; /* NULL with one body */
 } Bodies;
 
-/* Both sims of the scene `setup` is for; false and a fault. To be freed in any case. */
+/* Makes one Sim (particles and grid) per body of the scene of `setup`. Returns false and fills the
+ * fault on failure; call bodies_free in either case. */
 bool bodies_make(Bodies *b, const Setup *setup, Fault *fault);
 void bodies_free(Bodies *b);
 

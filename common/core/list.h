@@ -1,5 +1,5 @@
 /* list.h: deposit and gather with general weights: a list of nodes per particle (NodeList), for
- * methods whose weights are no products of axes. Lanes and sums are those of scheme.h. */
+ * methods whose weights are not products over the axes. Lanes and sums are those of scheme.h. */
 #ifndef MPMLAB_LIST_H
 #define MPMLAB_LIST_H
 

@@ -109,7 +109,7 @@ axis_weight(const Stencil s[DIM], int d, int k, int p, const Pattern *q, const u
     return w;
 }
 
-/* A particle's loop over rows of nodes, for `width` nodes an axis. */
+/* A particle's loop over rows of nodes, for `width` nodes per axis. */
 #define FOR_ROWS(r, width)                                                                         \
     for (int r = 0; r < (DIM == 1 ? 1 : DIM == 2 ? width : width * width); r++)
 
@@ -138,7 +138,7 @@ row_weight(const Stencil s[DIM], const Pattern *q, int p, int width, int r, cons
     return y;
 }
 
-/* Does a stencil of 3 nodes an axis fit in vector registers? */
+/* Does a stencil of 3 nodes per axis fit in vector registers? */
 #define FITS_REGISTERS(width)                                                                      \
     ((width) <= 3 && IN_THIS_DIM(3, 9, 27) * (int)sizeof(Line) <= REGISTERS * VECTOR_BYTES)
 

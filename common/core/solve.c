@@ -53,8 +53,8 @@ static void row_drive(const Grid *g, int row, Vec drive)
         drive[d] = g->drive[d] ? g->drive[d][row % g->n[d]] : 0;
 }
 
-/* Work of moving walls over a step: what they bear of the nodes' forces as deposited, times their
- * way. */
+/* Work of moving walls over a step: minus the deposited force on the components that they hold,
+ * times the distance that the wall moves. */
 static void record_wall_work(Sim *sim, int row, const void *motion)
 {
     const double dt = ((const Motion *)motion)->dt;
@@ -73,8 +73,8 @@ static void record_wall_work(Sim *sim, int row, const void *motion)
     }
 }
 
-/* A wall holds while the free momentum p + f dt is directed into it; a body that would be pulled
- * back leaves. */
+/* Components that unilateral walls hold at a node: those of the walls into which the free momentum
+ * p + f dt is directed. Otherwise the node is free, so that the body can leave the wall. */
 unsigned sim_stops(const Grid *g, int row, int i, double dt)
 {
     const size_t at = (size_t)row * (size_t)g->n[0] + (size_t)i;

@@ -17,7 +17,7 @@ typedef struct Pass {
 } Pass;
 
 static const struct {
-    bool half_first; /* a is halved in the first step: velocities live half a step later */
+    bool half_first; /* a is halved in the first step, so that velocities belong to half steps */
     Pass pass[2];
 } integrators[INTEGRATORS] = {
     [CD] = {true, {{true, true, TAKE_V | TAKE_X | TAKE_F, 0}}},
@@ -163,7 +163,8 @@ static void open_step(Sim *sim, double t)
     mirror_move_walls(sim, t);
 }
 
-/* What the accelerations of this step are multiplied by. */
+/* Factor of this step's accelerations: (dt_before + dt)/(2 dt) if velocities belong to half steps,
+ * with dt_before = 0 in the first step; otherwise 1. */
 static double find_scale(Sim *sim, double dt, bool first)
 {
     const double before = first ? 0 : sim->dt_before > 0 ? sim->dt_before : dt;

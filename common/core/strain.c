@@ -3,7 +3,7 @@
  *
  * Where v belongs to half a step after x, L is that of the secant from x to x + dt v, and I +
  * dt L its exact gradient: the linear rule is the consistent one there, and exp(dt L) shrinks a
- * spinning body by (w dt)^2/2 a step along each axis. */
+ * spinning body by (w dt)^2/2 per step along each axis. */
 #include "strain.h"
 #include <math.h>
 

@@ -49,8 +49,8 @@ extern const Engine engine_1d, engine_2d, engine_3d;
 extern const Engine *const engines[]; /* main's list, NULL-terminated */
 
 /* The engine for a run: knows the problem, and the dimension asked for with --set dim=N if it has
- * several (default: 2 if it has two dimensions, else the only one). NULL and a fault (unknown
- * problem, with the nearest name). */
+ * several (default: 2 if it has several, else the only one). NULL and a fault (unknown problem,
+ * with the nearest name). */
 const Engine *engine_for(const RunSpec *spec, Fault *fault);
 
 #endif

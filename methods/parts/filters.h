@@ -1,5 +1,6 @@
-/* filters.h: what methods share that filter the grid velocity: sum_l c_l (S+ S)^l v, with S from
- * nodes to particles and S+ back by mass. Hammerquist & Nairn 2017; Nairn & Hammerquist 2021. */
+/* filters.h: shared by methods with a filter of the grid velocity: sum_l c_l (S+ S)^l v, with S
+ * from nodes to particles and S+ back by mass. Hammerquist & Nairn 2017; Nairn & Hammerquist 2021.
+ */
 #ifndef MPMLAB_FILTERS_H
 #define MPMLAB_FILTERS_H
 
@@ -24,7 +25,7 @@ static inline int binomial_filter(int k, double c[])
     return k - 1;
 }
 
-/* Their parameters, and the filter of the order that is asked for. */
+/* Parameters of such methods, and the coefficients of the filter of the chosen order. */
 enum { FILTER_SHAPE, FILTER_ORDER };
 
 static const Param filter_params[] = {

@@ -5,7 +5,7 @@
 
 /* Mean outward normal and curvature from the surface sums of a node; false: no curvature is known.
  * With <.> the S-weighted mean and t normal to nbar = <n>/|<n>|:
- *   sb = <r.t>,  s2 = <(r.t)^2> - sb^2,  kappa = <(r.t)(n.t)>/s2. Planes only. */
+ *   sb = <r.t>,  s2 = <(r.t)^2> - sb^2,  kappa = <(r.t)(n.t)>/s2. In 2D only. */
 static bool find_bend(const Line skin[2], Bend *out)
 {
     *out = (Bend){{0}, {0}};

@@ -10,7 +10,7 @@
  *                   squares and cubes: common/base/polygon.c, polyhedron.c, solid.c
  *   wls/cells.c     integrals over full and cut cells (eqs 19-24)
  *   wls/inertia.c   accelerations towards the consistent mass matrix
- *   wls/velocity.c  velocities that get back what fit and return filter
+ *   wls/velocity.c  velocities corrected for what fit and return to particles smooth out
  *   wls/spread.c    forces of spurious nodes to their neighbours
  *   wls/nodes.c     spurious nodes and nodes without mass (3.5, 4.5)
  *   wls/patches.c   cells as polygons, for output

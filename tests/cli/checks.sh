@@ -27,7 +27,7 @@ untimed() { sed 's/\(,[^,]*\)\{4\}$//' "$1"; }
 # timeless CSV: a row as `run` prints it, without its timing columns.
 timeless() { cut -d, -f1-17,21-28 "$1"; }
 same() { cmp -s <(untimed "$1") <(untimed "$2"); }
-# failed_well NAME STATUS TEXT: what run left: that status and one line with the text.
+# failed_well NAME STATUS TEXT: the last `run` must have left this exit status and one line on err with TEXT.
 failed_well() {
     ok "$1: status $status, $(head -n 3 err)" test "$status" -eq "$2" -a "$(lines err)" -eq 1
     ok "$1: says '$3', not $(head -n 3 err)" grep -qF -- "$3" err

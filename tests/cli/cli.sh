@@ -95,6 +95,10 @@ ok "describe a method: those with a fresh gradient" grep -qP '^integrators\tuvf 
 ok "describe a method: the settings that act" grep -qP '^domain\t' out
 run describe mpm
 ok "describe a method: not those that cannot act" test "$(grep -cP '^(domain|refresh|allow_unstable)\t' out)" -eq 0
+run describe wls
+ok "describe a method: the layout that it has unless set" grep -qP '^layout\tradial\t' out
+run describe tlmpm
+ok "describe a method: the frame that it has unless set" grep -qP '^frame\ttotal\t' out
 run describe uvf
 ok "describe an integrator: methods it is stable with" grep -qP '^methods\t.*gimp' out
 for command in "" list describe run study sweep claims; do

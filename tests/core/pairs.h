@@ -21,7 +21,8 @@ static const Case on_nodes[][2] = {
     {{3, "free_block", 5, 27, 0.1, "box=1.6"},
      {3, "free_block", 12, 1, 0.1, "box=1.4166666666666667"}}};
 
-/* Steps of threads and poison. */
+/* Steps of the tests that compare thread counts (test_invariants.c) and that fill unused memory
+ * with NaN (test_unread.c). */
 enum { FEW = IN_THIS_DIM(20, 20, 3) };
 
 typedef void Check(Fixture *r);
@@ -61,10 +62,10 @@ static inline void for_pairs(Check *check)
     for_cases(&blocks[DIM - 1], check);
 }
 
-/* In twice the box on the same lines, to the last bit. */
+/* A free block whose result must keep its bits in a box twice as wide on the same grid lines. */
 static const Case apart = {3, "free_block", 8, 1, 0, "box=2"};
 
-/* With as many particles as integrals over cells need. */
+/* The free block with enough particles for methods that integrate over cells. */
 static inline const Case *full(void)
 {
     return DIM < 3 ? &blocks[DIM - 1] : &between[DIM - 1];

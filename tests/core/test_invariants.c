@@ -95,8 +95,8 @@ static void mirror_fields(double *const field[FIELDS], int n, int axis, double w
     }
 }
 
-/* Sums run backwards: round-off alone, a few ulp a step. The scale of L is that of its terms, v/h,
- * of moments v h. */
+/* Sums run backwards: round-off alone, a few ulp per step. The scale of L is that of its terms,
+ * v/h, of moments v h. */
 static void check_mirror(Fixture *r)
 {
     const double width = r->plan.scene.hi[0];

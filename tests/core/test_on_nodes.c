@@ -13,7 +13,7 @@ static const double speed = 100; /* the block's c [m/s] */
 static const char *const tents[] = {"mpm", "ge_mpm", "wls", "wls2", "ge_wls"};
 enum { WLS = 2, TENTS = COUNT(tents), CELLS = IN_THIS_DIM(8, 8, 4) };
 
-/* `set` with a leading '1': one particle a cell. */
+/* `set` with a leading '1': one particle per cell. */
 static double *block_state(double cells, const char *method, Integrator i, const char *set,
                            int steps, int *n)
 {

@@ -1,6 +1,5 @@
-/* test_textbook.c: the fast core against the textbook twin: every method that the twin knows, every
- * integrator, on scenes that move, turn, touch walls and symmetry lines and are pushed by forces.
- */
+/* test_textbook.c: the fast core against the textbook code (textbook.h): every method that it has,
+ * every integrator, on scenes with motion, rotation, walls, symmetry lines and body forces. */
 #include <stdlib.h>
 #include "tests/fixture.h"
 #include "tests/textbook/textbook.h"
@@ -90,7 +89,7 @@ static void compare(Fixture *r, int steps, int least_sorts)
 {
     const bool L = r->plan.setup.method->keeps_L;
     Twin *w = twin_new(&r->plan.setup);
-    if (!w) return; /* a method that the twin does not know */
+    if (!w) return; /* a method that the textbook code does not have */
     Sim *sim = fixture_sim(r);
     CU_ASSERT_FATAL(sim->p.count == w->n);
     const int sorts = step_both(r, sim, w, steps);
@@ -178,7 +177,7 @@ static void corner_push(const Scene *s, int n, ConstFields X, double t, Fields b
             b[d][p] = 0.2 * s->c * s->c * X[d][p] * cos(s->c * t + X[(d + 1) % DIM][p]);
 }
 
-/* Steps: in 3D, where the twin is slow, enough for all that a step leaves to the next. */
+/* Steps: in 3D, where the textbook code is slow, enough for all that a step leaves to the next. */
 enum { CORNER_CELLS = IN_THIS_DIM(6, 6, 4), CORNER_STEPS = IN_THIS_DIM(20, 20, 6) };
 
 static const Problem corner = {
@@ -229,7 +228,7 @@ static void test_corner_on_nodes(void)
 
 /* 300 steps of what is stable, 100 where nothing but the integrator's order of passes is new:
  * smooth weights and valid pairs. (A block that spins faster is lost by XPIC and FMPM with cd, by
- * the twin's as well.) */
+ * those of the textbook code as well.) */
 static void test_long(void)
 {
     for (int k = 0; k < COUNT(long_scenes); k++) FOR_METHODS(m) FOR_INTEGRATORS(i)

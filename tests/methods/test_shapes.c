@@ -4,7 +4,7 @@
 
 enum { ROUNDS = 200 };
 
-/* Methods whose weights are products of axes, which failures name. */
+/* Methods whose weights are products over the axes, which failures name. */
 static bool has_shape(const Method *m)
 {
     check_context(DIM, "none", m->info.name, "none", NULL);

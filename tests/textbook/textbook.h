@@ -73,7 +73,7 @@ typedef struct Twin {
     double shift;
 } Twin;
 
-/* NULL if the twin does not know the method, or out of memory. `setup` must outlive it. */
+/* NULL if it does not have the method, or out of memory. `setup` must outlive it. */
 Twin *twin_new(const Setup *setup);
 void twin_free(Twin *twin);
 

@@ -1,5 +1,5 @@
 /* textbook_cells.c: planes fitted at nodes and in the middle of cells, and the internal force by
- * one point a cell (Sulsky & Gong 2016, read as methods/impm.c says). */
+ * one point per cell (Sulsky & Gong 2016, read as methods/impm.c says). */
 #include <math.h>
 #include <stdlib.h>
 #include "textbook_sight.h"

@@ -1,5 +1,5 @@
-/* textbook_corners.h: CPDI and CPDI2 of the twin: weights from the tents at a domain's corners.
- * Sadeghirad, Brannon & Burghardt 2011; Sadeghirad, Brannon & Guilkey 2013. */
+/* textbook_corners.h: CPDI and CPDI2 of the textbook code: weights from the tents at a domain's
+ * corners. Sadeghirad, Brannon & Burghardt 2011; Sadeghirad, Brannon & Guilkey 2013. */
 #ifndef MPMLAB_TEXTBOOK_CORNERS_H
 #define MPMLAB_TEXTBOOK_CORNERS_H
 

@@ -1,5 +1,5 @@
-/* textbook_sight.h: the nodes that a particle of the twin sees, their weights and gradients. W07
- * eq 2.1; Bardenhagen & Kober 2004; W11 eq 4. */
+/* textbook_sight.h: the nodes that a particle of the textbook code reaches, their weights and
+ * gradients. W07 eq 2.1; Bardenhagen & Kober 2004; W11 eq 4. */
 #ifndef MPMLAB_TEXTBOOK_SIGHT_H
 #define MPMLAB_TEXTBOOK_SIGHT_H
 

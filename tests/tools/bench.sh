@@ -92,7 +92,7 @@ gimp=$(sort -g "$work/gimp.ns" | awk 'NR == 1 { print $1 }')
             END { printf "%s,%d,%.4g,%.4g,%.4g,%s,%.4g,%.4g,%s,%.4g\n", name, n, cpu[1], cpu[int((NR + 1) / 2)], wall,
                   count, cpu[1] / gimp, cpu[1] / twin, integrator, whole }'
     done
-    # what the machine could do at best: about 500 flops and 350 bytes a particle-step of GIMP in 2D
+    # what the machine could do at best: about 500 flops and 350 bytes per particle-step of GIMP in 2D
     awk -v fma="$(value fma_gflops)" -v gbs="$(value copy_gbs)" -v gimp="$gimp" -v twin="$twin" 'BEGIN {
         printf "bound-flops,65536,%.4g,,,,%.4g,%.4g,-,\n", 500 / fma, 500 / fma / gimp, 500 / fma / twin
         printf "bound-bytes,65536,%.4g,,,,%.4g,%.4g,-,\n", 350 / gbs, 350 / gbs / gimp, 350 / gbs / twin }'

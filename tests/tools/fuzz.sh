@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # fuzz.sh FOLDER NAME...: builds the fuzzers below FOLDER and runs each for SECONDS (60) from what is known.
-# Prints a line each; status 1 if one found something, which is then in FOLDER/found-NAME-*.
+# Prints one line per reader; status 1 if one found something, which is then in FOLDER/found-NAME-*.
 set -u
 folder=$1
 shift
