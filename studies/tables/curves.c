@@ -98,3 +98,11 @@ Measure curve_mean_ratio(const Curve *a, const Curve *b, int needs)
     }
     return mean;
 }
+
+Measure curve_lost(const Table *t, const char *methods, int each, const char *where)
+{
+    Measure lost = measure_sum_of(0);
+    EACH_WORD(m, methods)
+        lost = measure_sum(lost, select_count_lost(t, each, phrase("method=%s %s", m, where)));
+    return lost;
+}

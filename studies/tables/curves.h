@@ -46,4 +46,7 @@ Measure curve_order_in_h(const Table *rows, const char *error, double from, doub
 Measure curve_worst(const Table *t, const char *methods, int each, const char *want,
                     const char *where);
 
+/* How many rows of these methods that also meet `where` were lost; there are `each` of a method. */
+Measure curve_lost(const Table *t, const char *methods, int each, const char *where);
+
 #endif
