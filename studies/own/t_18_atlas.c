@@ -8,7 +8,8 @@
  *   H-12  a block drifts from node to node with its particles on nodes
  *   H-14  a block falls freely */
 #include <math.h>
-#include "studies/tables/grades.h"
+#include "studies/tables/block.h"
+#include "studies/tables/points.h"
 
 enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5, RUNGS = 6 };
 #define STRETCH 1.0717
@@ -18,7 +19,7 @@ enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5, RUNGS =
 static const char uniform[] = "mpm gimp ge_gimp bspline wls2 ge_wls";
 static const char ripple[] = "mpm gimp ge_gimp bspline apic tpic wls wls2 ge_wls";
 static const char spun[] = "mpm gimp ge_gimp apic tpic wls2", freely[] = "gimp ge_gimp apic";
-static const char *const integrators[INTEGRATORS] = {"cd", "uvf", "musl", "usl", "usf"};
+static const char half[] = "cd uvf musl", whole[] = "usl usf";      /* first steps of integrators */
 static const double rungs[RUNGS] = {0.4, 0.5, 0.6, 0.7, 0.8, 0.95}; /* H-5 */
 
 /* A block whose particles or boxes reach EPS beyond a node; steps in units of scale h/c. */
@@ -48,21 +49,29 @@ static void add_nodes(Cases *list, bool quick)
                       m, CELLS, (quick ? 10 : STEPS) * BLOCK_CFL / (CELLS * BLOCK_SPEED));
 }
 
+static double corner_cfl(int corner, int rung)
+{
+    return rungs[rung] * corners[corner].scale * BLOCK_SPEED / BLOCK_P_SPEED;
+}
+
+static void add_corners(Cases *list)
+{
+    for (int k = 0; k < 3; k++) {
+        const double offset = EPS + 0.25 - corners[k].beyond;
+        for (int n = 0; n < RUNGS; n++)
+            case_add(list,
+                     "run block --method %s --integrator cd --cells %d --cfl %.6g --t-end .1 --set "
+                     "dim=3 --set offset_x=%g --set offset_y=%g --set offset_z=%g --set "
+                     "stop_growth=1 --set stretch=1.00000003 --set drift_x=1.6e-7",
+                     corners[k].method, CORNER, corner_cfl(k, n), offset, offset, offset);
+    }
+}
+
 static void cases(Cases *list, bool quick)
 {
+    const char *all = phrase("%s %s", half, whole);
     add_nodes(list, quick);
-    for (int k = 0; k < 3; k++)
-        for (int n = 0; n < RUNGS; n++)
-            case_add(
-                list,
-                "run block --method %s --integrator cd --cells %d --cfl %.6g --t-end .1 --set "
-                "dim=3 "
-                "--set offset_x=%g --set offset_y=%g --set offset_z=%g --set stop_growth=1 --set "
-                "stretch=1.00000003 --set drift_x=1.6e-7",
-                corners[k].method, CORNER,
-                rungs[n] * corners[k].scale * BLOCK_SPEED / BLOCK_P_SPEED,
-                EPS + 0.25 - corners[k].beyond, EPS + 0.25 - corners[k].beyond,
-                EPS + 0.25 - corners[k].beyond);
+    add_corners(list);
     EACH_WORD(m, spun)
         case_add_with(list, "particles", part("spin", m),
                       "run block --method %s --cells %d --t-end %.17g --set dim=3 --set box=4 "
@@ -73,63 +82,46 @@ static void cases(Cases *list, bool quick)
                       "run free_block --method %s --cells %d --t-end %.17g --set dim=3 --set box=2 "
                       "--set swing=0 --set drift=0",
                       m, CELLS, FREE_TURN);
-    for (int ge = 0; ge < 2; ge++)
-        for (int k = 0; k < INTEGRATORS; k++)
+    EACH_WORD(m, "mpm ge_mpm")
+        EACH_WORD(i, all)
             case_add(list,
                      "run block --method %s --integrator %s --set allow_unstable=1 --set dim=3 "
                      "--cells %d --set steps=20 --set drift_x=0.8333333333333334 --set "
                      "offset_x=0.25 --set offset_y=0.25 --set offset_z=0.25",
-                     ge ? "ge_mpm" : "mpm", integrators[k], CELLS);
-    EACH_METHOD(i, &engine_3d)
-        for (int k = 0; k < (engine_has_grid(&engine_3d, i->name) ? INTEGRATORS : 1); k++)
+                     m, i, CELLS);
+    EACH_METHOD(m, &engine_3d) {
+        const bool grid = engine_has_grid(&engine_3d, m->name);
+        EACH_WORD(i, grid ? all : "cd")
             case_add(list,
                      "run block --method %s --integrator %s --cells %d --set dim=3 --set "
                      "gravity=1000 " OFF " --set refresh=%d --set allow_unstable=1 --set steps=20",
-                     i->name, integrators[k], CORNER, engine_has_grid(&engine_3d, i->name));
+                     m->name, i, CORNER, grid);
+    }
 }
 
 /* H-1: the largest force inside over |sigma| and the area of a cell's face. */
-static double force(const Table *t, int turned)
+static double force(const Table *t, double degrees)
 {
-    const double E = 1e4, nu = 0.3, mu = E / (2 + 2 * nu), h = 1.0 / INSIDE;
-    const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), l = lambda * log(STRETCH);
-    const double along = mu * (STRETCH * STRETCH - 1) + l;
-    const double unit = sqrt(along * along + 2 * l * l) / STRETCH * h * h;
-    const double dt = BLOCK_CFL * h / BLOCK_SPEED, a = turned * M_PI / 6;
-    double most = t->nrow ? 0 : NAN;
-    for (int i = 0; i < t->nrow; i++) {
-        const double x = select_number(t, i, "x") - 1.5 - 0.13 * h;
-        const double y = select_number(t, i, "y") - 1.5 - 0.42 * h;
-        const double z = select_number(t, i, "z") - 1.5 - 0.77 * h;
-        const double own[] = {(cos(a) * x + sin(a) * y) / STRETCH, cos(a) * y - sin(a) * x, z};
-        const double v[] = {select_number(t, i, "vx") - DRIFT * BLOCK_SPEED,
-                            select_number(t, i, "vy"), select_number(t, i, "vz")};
-        if (fmax(fmax(fabs(own[0]), fabs(own[1])), fabs(own[2])) >= 0.5 - 4 * h) continue;
-        for (int d = 0; d < 3; d++)
-            most = measure_worse(most, fabs(v[d]) * select_number(t, i, "mass") / (dt * unit));
-    }
+    const Block block = {3, INSIDE, STRETCH, degrees, {0.13, 0.42, 0.77}, DRIFT * BLOCK_SPEED};
+    double most = t->nrow ? 0 : NAN, f[3];
+    for (int i = 0; i < t->nrow; i++)
+        if (block_force(&block, t, i, f))
+            for (int d = 0; d < 3; d++) most = measure_worse(most, fabs(f[d]));
     return most;
 }
 
 /* H-8: mean J about z, F_zz included, over exp(2 pi w dt). */
 static double growth(const Table *t)
 {
-    double mass = 0, sum = 0;
+    double mass = 0, sum = 0, F[5];
     for (int k = 0; k < t->nrow; k++) {
         const double m = select_number(t, k, "mass");
         if (!(m > 0)) continue;
+        points_row(t, k, "Fxx Fxy Fyx Fyy Fzz", F);
         mass += m;
-        sum += m * select_number(t, k, "Fzz") *
-               (select_number(t, k, "Fxx") * select_number(t, k, "Fyy") -
-                select_number(t, k, "Fxy") * select_number(t, k, "Fyx"));
+        sum += m * F[4] * (F[0] * F[3] - F[1] * F[2]);
     }
     return sum / mass / exp(2 * M_PI * BLOCK_CFL / CELLS);
-}
-
-/* A column at the end over its start; NAN of an empty history. */
-static double left(const Table *t, const char *column)
-{
-    return t->nrow ? select_last(t, column) / select_number(t, 0, column) : NAN;
 }
 
 static void tables(const Results *r)
@@ -137,56 +129,44 @@ static void tables(const Results *r)
     FILE *f = results_write(r, "found", "what,method,value,status");
     static const char *const what[] = {"stretch", "turned", "ripple", "spin", "free"};
     const char *const methods[] = {uniform, uniform, ripple, spun, freely};
-    for (int k = 0; k < 5; k++) {
+    for (int k = 0; k < 5; k++)
         EACH_WORD(m, methods[k]) {
             const Table *t = results_run(r, "%s", part(what[k], m));
-            const double x = k < 2    ? force(t, k)
-                             : k == 2 ? sqrt(left(t, "kinetic"))
+            const double x = k < 2    ? force(t, 30 * k)
+                             : k == 2 ? sqrt(curve_growth(t, "kinetic"))
                              : k == 3 ? growth(t)
-                                      : 1 - left(t, "angular_z");
+                                      : 1 - curve_growth(t, "angular_z");
             if (t->nrow)
                 fprintf(f, "%s,%s,%.10g,%s\n", what[k], m, x, results_status(r, part(what[k], m)));
         }
-    }
 }
 
-/* The largest and the least of the numbers that these methods have in NAME.found.csv. */
+/* The largest of the numbers that these methods have in NAME.found.csv. */
 static Measure largest(const Table *t, const char *what, const char *methods)
 {
     return curve_worst(t, methods, 1, "value", phrase("what=%s", what));
 }
 
-static Measure smallest(const Table *t, const char *what, const char *methods)
-{
-    Measure out = measure_min_of(0);
-    EACH_WORD(m, methods)
-        out = measure_min(out, select_value(t, "value", "what=%s method=%s", what, m));
-    return out;
-}
-
 /* H-5: the largest of the rungs, over all of them, that is stable, with all below it. */
 static Measure stable(const Table *t, int corner)
 {
+    static const char where[] = "stretch=1.00000003 method=%s cfl=%.6g";
     Measure rows = measure_sum_of(RUNGS);
-    double last = 0;
+    int rung = 0;
     for (int n = 0; n < RUNGS; n++) {
-        const double cfl = rungs[n] * corners[corner].scale * BLOCK_SPEED / BLOCK_P_SPEED;
-        const int row = select_next(t, -1, "stretch=1.00000003 method=%s cfl=%.6g",
-                                    corners[corner].method, cfl);
-        if (row < 0) continue;
-        measure_add(&rows, 1);
-        const bool below = n == 0 || last >= rungs[n - 1];
-        if (below && select_is(t, row, "status", "ok")) last = rungs[n];
+        const int row = select_next(t, -1, where, corners[corner].method, corner_cfl(corner, n));
+        measure_add(&rows, row < 0 ? NAN : 1);
+        if (row >= 0 && rung == n && select_is(t, row, "status", "ok")) rung++;
     }
-    return measure_with(rows, last);
+    return measure_with(rows, rung > 0 ? rungs[rung - 1] : 0);
 }
 
-/* H-14, H-12: largest error of the integrators from .. to - 1. */
-static Measure error(const Table *t, const char *where, int from, int to, int needs)
+/* H-14, H-12: largest error with these integrators. */
+static Measure error(const Table *t, const char *where, const char *integrators, int needs)
 {
     Measure most = measure_max_of(needs);
-    for (int k = from; k < to; k++)
-        EACH_ROW(row, t, "%s integrator=%s", where, integrators[k])
+    EACH_WORD(i, integrators)
+        EACH_ROW(row, t, "%s integrator=%s", where, i)
             measure_add_max(&most, select_kept(t, row, "error_linf"));
     return most;
 }
@@ -212,7 +192,7 @@ static void check_forces(Check *c, const Table *t)
     claim(c, "T-18e.h2-flip",
           "Alternating velocities in 3D: MPM, GIMP, GE-GIMP, B-splines keep them: least amplitude "
           "left after 300 steps",
-          smallest(t, "ripple", "mpm gimp ge_gimp bspline"), 0.9, 1.1);
+          curve_least(t, "mpm gimp ge_gimp bspline", 1, "value", "what=ripple"), 0.9, 1.1);
     claim(c, "T-18e.h2-damp",
           "Alternating velocities in 3D: APIC, TPIC damp them: most amplitude left after 300 steps",
           largest(t, "ripple", "apic tpic"), 0, 0.1);
@@ -251,26 +231,26 @@ static void check(Check *c, const Results *r)
         "as in the plane: largest stable step of six, over that",
         stable(t, 0), 0.9, 1, 0.8, 0.8,
         "stable at .8 of it, not at .95 (cd, eps = .01 h); the reason was not looked for");
-    claim(c, "T-18e.h5-gimp",
-          "Corner .01 h inside a cell in 3D, GIMP: largest stable step of six [h/c]", stable(t, 1),
-          0.5, 0.5);
-    claim(c, "T-18e.h5-ge_wls",
-          "Corner .01 h inside a cell in 3D, GE-WLS: largest stable step of six [h/c]",
-          stable(t, 2), 0.5, 0.5);
+    for (int k = 1; k < 3; k++)
+        claim(c, phrase("T-18e.h5-%s", corners[k].method),
+              phrase("Corner .01 h inside a cell in 3D, %s: largest stable step of six [h/c]",
+                     engine_label(corners[k].method)),
+              stable(t, k), 0.5, 0.5);
     claim(c, "T-18e.h12",
           "MPM, GE-MPM, every integrator in 3D: a block drifts from node to node: largest error "
           "of displacement [m]",
-          error(t, "drift_x=0.8333333333333334", 0, INTEGRATORS, 2 * INTEGRATORS), 0, 1e-12);
+          error(t, "drift_x=0.8333333333333334", phrase("%s %s", half, whole), 2 * INTEGRATORS), 0,
+          1e-12);
     claim(c, "T-18e.h14-half",
           "Free fall in 3D: x - g t^2/2 vanishes with a half first step (cd, uvf, musl), every "
           "method and FEM: largest [m]",
-          error(t, "gravity=1000", 0, 3, 3 * methods + 1), 0, 1e-12);
-    claim(c, "T-18e.h14-whole",
-          "Free fall in 3D with a whole first step (usl, usf) is g t dt/2 too far: largest error "
-          "over that",
-          measure_times(error(t, "gravity=1000", 3, INTEGRATORS, 2 * methods),
-                        1 / (1000 * 20 * dt * dt / 2)),
-          0.99, 1.01);
+          error(t, "gravity=1000", half, 3 * methods + 1), 0, 1e-12);
+    claim(
+        c, "T-18e.h14-whole",
+        "Free fall in 3D with a whole first step (usl, usf) is g t dt/2 too far: largest error "
+        "over that",
+        measure_times(error(t, "gravity=1000", whole, 2 * methods), 1 / (1000 * 20 * dt * dt / 2)),
+        0.99, 1.01);
 }
 
 const StudyPage study_t_18_atlas = {.cases = cases, .tables = tables, .check = check, .claims = 16};
