@@ -1,0 +1,29 @@
+/* masses.h: the points with mass in a file that a run has left: particles, or samples (of FEM: its
+ * elements). Surface points of WLS have none and are left out. */
+#ifndef MPMLAB_MASSES_H
+#define MPMLAB_MASSES_H
+
+#include "studies/study.h"
+
+/* NAN: not in the file, or beyond the dimension. */
+typedef struct MassPoint {
+    double mass;             /* [kg] */
+    double X[3], x[3], v[3]; /* reference position, position [m], velocity [m/s] */
+    double F[2][2], J;       /* deformation gradient in the plane, its determinant */
+    double pressure;         /* [Pa] */
+} MassPoint;
+
+typedef struct Masses {
+    int n;
+    MassPoint *list;
+} Masses;
+
+Masses masses_read(const Table *t);
+void masses_free(Masses *all);
+
+/* Root mean square over mass of the pressure less its mean over all points within `spacings` times
+ * the own spacing along each axis of the plane. With a density of 1, `share` points of the own mass
+ * make a square whose side is the spacing. */
+double masses_checkerboard(const Masses *all, int share, double spacings);
+
+#endif
