@@ -8,7 +8,8 @@
  *   H-12  a block drifts from node to node with its particles on nodes
  *   H-14  a block falls freely */
 #include <math.h>
-#include "studies/tables/block.h"
+#include "studies/tables/block_nodes.h"
+#include "studies/tables/grades.h"
 #include "studies/tables/points.h"
 
 enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5, RUNGS = 6 };
@@ -49,11 +50,6 @@ static void add_nodes(Cases *list, bool quick)
                       m, CELLS, (quick ? 10 : STEPS) * BLOCK_CFL / (CELLS * BLOCK_SPEED));
 }
 
-static double corner_cfl(int corner, int rung)
-{
-    return rungs[rung] * corners[corner].scale * BLOCK_SPEED / BLOCK_P_SPEED;
-}
-
 static void add_corners(Cases *list)
 {
     for (int k = 0; k < 3; k++) {
@@ -63,7 +59,9 @@ static void add_corners(Cases *list)
                      "run block --method %s --integrator cd --cells %d --cfl %.6g --t-end .1 --set "
                      "dim=3 --set offset_x=%g --set offset_y=%g --set offset_z=%g --set "
                      "stop_growth=1 --set stretch=1.00000003 --set drift_x=1.6e-7",
-                     corners[k].method, CORNER, corner_cfl(k, n), offset, offset, offset);
+                     corners[k].method, CORNER,
+                     rungs[n] * corners[k].scale * BLOCK_SPEED / BLOCK_P_SPEED, offset, offset,
+                     offset);
     }
 }
 
@@ -102,12 +100,9 @@ static void cases(Cases *list, bool quick)
 /* H-1: the largest force inside over |sigma| and the area of a cell's face. */
 static double force(const Table *t, double degrees)
 {
-    const Block block = {3, INSIDE, STRETCH, degrees, {0.13, 0.42, 0.77}, DRIFT * BLOCK_SPEED};
-    double most = t->nrow ? 0 : NAN, f[3];
-    for (int i = 0; i < t->nrow; i++)
-        if (block_force(&block, t, i, f))
-            for (int d = 0; d < 3; d++) most = measure_worse(most, fabs(f[d]));
-    return most;
+    static const double off[] = {0.13, 0.42, 0.77};
+    const BlockNodes block = {3, INSIDE, 3, off, STRETCH, degrees, DRIFT, 0.5 - 4.0 / INSIDE};
+    return block_nodes_largest(&block, t);
 }
 
 /* H-8: mean J about z, F_zz included, over exp(2 pi w dt). */
@@ -147,16 +142,14 @@ static Measure largest(const Table *t, const char *what, const char *methods)
     return curve_worst(t, methods, 1, "value", phrase("what=%s", what));
 }
 
-/* H-5: the largest of the rungs, over all of them, that is stable, with all below it. */
+/* H-5: the largest of the rungs that is stable, with all below it. */
 static Measure stable(const Table *t, int corner)
 {
-    static const char where[] = "stretch=1.00000003 method=%s cfl=%.6g";
     Measure rows = measure_sum_of(RUNGS);
-    int rung = 0;
-    for (int n = 0; n < RUNGS; n++) {
-        const int row = select_next(t, -1, where, corners[corner].method, corner_cfl(corner, n));
-        measure_add(&rows, row < 0 ? NAN : 1);
-        if (row >= 0 && rung == n && select_is(t, row, "status", "ok")) rung++;
+    int n = 0, rung = 0;
+    EACH_ROW(row, t, "stretch=1.00000003 method=%s", corners[corner].method) {
+        measure_add(&rows, 1);
+        rung += rung == n++ && select_is(t, row, "status", "ok");
     }
     return measure_with(rows, rung > 0 ? rungs[rung - 1] : 0);
 }

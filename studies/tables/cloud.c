@@ -9,7 +9,7 @@
 typedef double Point[3]; /* X, Y, error */
 
 /* The nearest of n points, if there are some on all sides within h; or NULL. */
-static const double *nearest_inside(int n, const Point point[], const Point at, double h)
+static const double *nearest_inside(int n, Point point[], const double at[2], double h)
 {
     const double *nearest = NULL;
     double best = INFINITY;

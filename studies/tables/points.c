@@ -31,11 +31,12 @@ double *points_all(const Table *t, const char *columns)
 
 double points_stress_along(const Table *t, int row, const double e[3])
 {
-    double sigma[9], sum = 0, square = 0;
-    points_row(t, row, "sxx sxy sxz sxy syy syz sxz syz szz", sigma);
+    static const char *const name[3][3] = {
+        {"sxx", "sxy", "sxz"}, {"sxy", "syy", "syz"}, {"sxz", "syz", "szz"}};
+    double sum = 0, square = 0;
     for (int a = 0; a < 3; a++) {
         square += e[a] * e[a];
-        for (int b = 0; b < 3; b++) sum += e[a] * e[b] * sigma[3 * a + b];
+        for (int b = 0; b < 3; b++) sum += e[a] * e[b] * select_number(t, row, name[a][b]);
     }
     return sum / square;
 }
