@@ -58,10 +58,9 @@ enum { OTHERS = sizeof others / sizeof *others };
 
 static bool is_listed(const char *problem)
 {
-    const size_t n = strlen(problem);
     for (int k = 0; k < LADDERS; k++) {
         const char *run = ladders[k].run;
-        if (strncmp(run, problem, n) == 0 && (run[n] == ' ' || !run[n])) return true;
+        if (strcmp(select_word(&run), problem) == 0) return true;
     }
     return false;
 }
@@ -171,8 +170,8 @@ static Measure bar_steps(const Results *r, const char *method)
         work[k] = select_value(t, "work", where, method, 40 << k).value;
         measure_add(&all, error[k] + work[k]);
     }
-    return measure_with(
-        all, work[0] * pow(work[1] / work[0], log(error[0] / 1e-3) / log(error[0] / error[1])));
+    const double part = log(error[0] / 1e-3) / log(error[0] / error[1]);
+    return measure_with(all, work[0] * pow(work[1] / work[0], part));
 }
 
 static void check(Check *c, const Results *r)
