@@ -263,3 +263,10 @@ const char *select_word(const char **rest)
     *rest = word + n;
     return n > 0 ? phrase("%.*s", (int)n, word) : NULL;
 }
+
+bool select_is_word(const char *words, const char *word)
+{
+    EACH_WORD(w, words)
+        if (strcmp(w, word) == 0) return true;
+    return false;
+}

@@ -66,4 +66,7 @@ Measure select_count_lost(const Table *t, int needs, const char *where);
 const char *select_word(const char **rest);
 #define EACH_WORD(m, words) for (const char *m##_rest = (words), *m; (m = select_word(&m##_rest));)
 
+/* Is it one of the words? */
+bool select_is_word(const char *words, const char *word);
+
 #endif

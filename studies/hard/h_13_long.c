@@ -6,8 +6,8 @@
  * this stays within 5 % (a larger gain has the status energy_growth), weak if it loses or gains
  * more (every method with damping loses more), and lost if the run is lost. */
 #include <math.h>
-#include <string.h>
 #include "studies/tables/grades.h"
+#include "studies/tables/variants.h"
 
 enum { SCENES = 2, MESHES = 2, VARIANTS = 2, EVERY = 20 };
 static const struct {
@@ -16,18 +16,11 @@ static const struct {
     int cells[MESHES];
 } scenes[SCENES] = {{"ring", 0.4, {16, 32}}, {"disk_impact", 20, {24, 48}}};
 static const char shown[] = "gimp bspline wls wls2 ge_wls";
-static const char *const variants[VARIANTS] = {"usual", "spline"};
-
-static bool is_shown(const char *method)
-{
-    EACH_WORD(m, shown)
-        if (strcmp(method, m) == 0) return true;
-    return false;
-}
+static const Variant variants[VARIANTS] = {{"usual", ""}, {"spline", "return=spline"}};
 
 static const char *part_name(int scene, const char *method, int variant)
 {
-    return phrase("%s.%s.%s", scenes[scene].problem, method, variants[variant]);
+    return phrase("%s.%s.%s", scenes[scene].problem, method, variants[variant].name);
 }
 
 /* Does it return through splines, by default or by this variant? */
@@ -45,14 +38,13 @@ static bool has_variant(const Info *method, int variant)
 
 static void add(Cases *list, int scene, const Info *method, int mesh, int variant, bool quick)
 {
-    const char *text =
-        phrase("run %s --method %s --cells %d --t-end %.17g%s", scenes[scene].problem, method->name,
-               scenes[scene].cells[mesh], scenes[scene].t_end * (quick ? 0.05 : 1),
-               variant ? " --set return=spline" : "");
-    if (mesh == MESHES - 1 && is_shown(method->name))
-        case_add_with(list, "history", part_name(scene, method->name, variant), "%s", text);
+    const char *run = variant_run(&variants[variant], "run %s --method %s --cells %d --t-end %.17g",
+                                  scenes[scene].problem, method->name, scenes[scene].cells[mesh],
+                                  scenes[scene].t_end * (quick ? 0.05 : 1));
+    if (mesh == MESHES - 1 && select_is_word(shown, method->name))
+        case_add_with(list, "history", part_name(scene, method->name, variant), "%s", run);
     else
-        case_add(list, "%s", text);
+        case_add(list, "%s", run);
 }
 
 static void cases(Cases *list, bool quick)
@@ -106,7 +98,7 @@ static void write_one(FILE *drift, FILE *grades, FILE *remedies, const Table *ro
             const Mark m = mark_long(l);
             if (m > marks[v]) marks[v] = m;
             fprintf(drift, "%s,%s,%s,%d,%.10g,%.10g,%d,%s\n", scenes[s].problem, method->name,
-                    variants[v], l.lost, l.gain, l.loss, l.n, l.lost ? "lost" : "ok");
+                    variants[v].name, l.lost, l.gain, l.loss, l.n, l.lost ? "lost" : "ok");
             if (v) continue;
             worst.gain = measure_worse(worst.gain, l.gain);
             worst.loss = measure_worse(worst.loss, l.loss);
@@ -119,7 +111,8 @@ static void write_one(FILE *drift, FILE *grades, FILE *remedies, const Table *ro
                   "energy from %+.0f to %+.0f %% after twenty periods, ten impacts",
                   -100 * worst.loss, 100 * worst.gain);
     if (has_variant(method, 1))
-        grade_remedy_add(remedies, "H-13", method->name, "return=spline", marks[0], marks[1], "");
+        grade_remedy_add(remedies, "H-13", method->name, variants[1].setting, marks[0], marks[1],
+                         "");
 }
 
 /* NAME.ledger.csv: problem,method,variant,t,ledger: every so many instants of the histories. */
@@ -129,11 +122,9 @@ static void write_ledger(FILE *f, const Results *r)
         EACH_WORD(m, shown)
             for (int v = 0; v < VARIANTS; v++) {
                 const Table *t = results_ended(r, "%s", part_name(s, m, v));
-                double most = 0;
-                for (int k = 0; k < t->nrow; k++)
-                    most = measure_worse(most, select_number(t, k, "total"));
+                const double most = select_max(t, "total", 1, "%s", "").value;
                 for (int k = 0; k < t->nrow; k += EVERY)
-                    fprintf(f, "%s,%s,%s,%.6g,%.6g\n", scenes[s].problem, m, variants[v],
+                    fprintf(f, "%s,%s,%s,%.6g,%.6g\n", scenes[s].problem, m, variants[v].name,
                             select_number(t, k, "t"),
                             (select_number(t, k, "total") - select_number(t, k, "external_work") -
                              select_number(t, 0, "total")) /
@@ -156,11 +147,8 @@ static Measure most_lost(const Table *t, const char *methods, const char *where,
     Measure lost = measure_max_of(0);
     EACH_WORD(m, methods) {
         Measure own = measure_max_of(each);
-        for (int s = 0; s < SCENES; s++) {
-            const Measure one = select_ended(t, "lost", "method=%s problem=%s runs=%d %s", m,
-                                             scenes[s].problem, MESHES, where);
-            if (one.rows) measure_add_max(&own, one.value);
-        }
+        EACH_ROW(row, t, "method=%s runs=%d %s", m, MESHES, where)
+            measure_add_max(&own, select_number(t, row, "lost"));
         lost = measure_max(lost, own);
     }
     return lost;

@@ -119,3 +119,11 @@ double curve_growth(const Table *t, const char *column)
 {
     return t->nrow > 1 ? select_last(t, column) / select_number(t, 0, column) : NAN;
 }
+
+Measure curve_lost(const Table *t, const char *methods, int each, const char *where)
+{
+    Measure lost = measure_sum_of(0);
+    EACH_WORD(m, methods)
+        lost = measure_sum(lost, select_count_lost(t, each, phrase("method=%s %s", m, where)));
+    return lost;
+}

@@ -25,7 +25,8 @@ static MassPoint point_of(const Table *t, int row)
         trace += number(t, row, stress[a]);
     }
     for (int k = 0; k < 4; k++) p.F[k / 2][k % 2] = number(t, row, F[k / 2][k % 2]);
-    p.J = p.F[0][0] * p.F[1][1] - p.F[0][1] * p.F[1][0];
+    const double across = p.F[0][1] * p.F[1][0];
+    p.J = p.F[0][0] * p.F[1][1] - across;
     p.pressure = -trace / 3;
     return p;
 }
@@ -42,6 +43,29 @@ void masses_free(Masses *all)
 {
     free(all->list);
     *all = (Masses){0};
+}
+
+MassSums masses_sum(const Table *t, const double centre[2])
+{
+    Masses all = masses_read(t);
+    MassSums s = {.n = all.n, .least_J = INFINITY, .most_J = -INFINITY, .least_Fxx = INFINITY};
+    double mass = 0, x = 0, y = 0, px = 0, py = 0;
+    for (const MassPoint *p = all.list; p < all.list + all.n; p++) {
+        const double m = p->mass, X = p->X[0] - centre[0], Y = p->X[1] - centre[1];
+        s.J += m * p->J;
+        s.least_J = measure_lesser(s.least_J, p->J);
+        s.most_J = measure_worse(s.most_J, p->J);
+        s.least_Fxx = measure_lesser(s.least_Fxx, fabs(p->F[0][0]));
+        s.inertia += m * (X * X + Y * Y);
+        s.angular += m * (p->x[0] * p->v[1] - p->x[1] * p->v[0]);
+        mass += m;
+        x += m * p->x[0], y += m * p->x[1];
+        px += m * p->v[0], py += m * p->v[1];
+    }
+    masses_free(&all);
+    s.J /= mass;
+    s.angular -= (x * py - y * px) / mass;
+    return s;
 }
 
 static bool is_near(const MassPoint *a, const MassPoint *b, double reach)

@@ -21,6 +21,17 @@ typedef struct Masses {
 Masses masses_read(const Table *t);
 void masses_free(Masses *all);
 
+/* Sums over points in the plane. */
+typedef struct MassSums {
+    int n;
+    double J, least_J, most_J; /* mean over mass, extremes; */
+    double least_Fxx;          /*   of |F_xx| */
+    double inertia;            /* sum m |X - centre|^2 */
+    double angular;            /* momentum about the centre of mass, of motion alone */
+} MassSums;
+
+MassSums masses_sum(const Table *t, const double centre[2]);
+
 /* Root mean square over mass of the pressure less its mean over all points within `spacings` times
  * the own spacing along each axis of the plane. With a density of 1, `share` points of the own mass
  * make a square whose side is the spacing. */

@@ -3,6 +3,7 @@
 
 #include "studies/runs/engines.h"
 #include "studies/runs/run_args.h"
+#include "studies/select.h"
 
 const char *variant_run(const Variant *variant, const char *run, ...)
 {
@@ -14,4 +15,11 @@ const char *variant_run(const Variant *variant, const char *run, ...)
     const char *changed = phrase("%s --set %s", text, variant->setting);
     const bool taken = run_args_resolve(changed, &spec, &engine, NULL) == 0;
     return taken && engine_has_grid(engine, spec.method) ? changed : NULL;
+}
+
+int variant_of_row(const Variant variants[], int n, const Table *rows, int row)
+{
+    int k = n - 1;
+    while (k > 0 && !select_meets(rows, row, "%s", variants[k].setting)) k--;
+    return k;
 }

@@ -14,4 +14,7 @@ typedef struct Variant {
 const char *variant_run(const Variant *variant, const char *run, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* The variant of n that a row of a run has: the last whose setting it meets, else the first. */
+int variant_of_row(const Variant variants[], int n, const Table *rows, int row);
+
 #endif
