@@ -9,10 +9,11 @@
  *   H-14  a block falls freely */
 #include <math.h>
 #include "studies/tables/block_nodes.h"
+#include "studies/tables/corner.h"
 #include "studies/tables/grades.h"
-#include "studies/tables/points.h"
+#include "studies/tables/masses.h"
 
-enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5, RUNGS = 6 };
+enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5 };
 #define STRETCH 1.0717
 #define DRIFT   0.1
 #define EPS     0.01 /* H-5, in h */
@@ -20,14 +21,12 @@ enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5, RUNGS =
 static const char uniform[] = "mpm gimp ge_gimp bspline wls2 ge_wls";
 static const char ripple[] = "mpm gimp ge_gimp bspline apic tpic wls wls2 ge_wls";
 static const char spun[] = "mpm gimp ge_gimp apic tpic wls2", freely[] = "gimp ge_gimp apic";
-static const char half[] = "cd uvf musl", whole[] = "usl usf";      /* first steps of integrators */
-static const double rungs[RUNGS] = {0.4, 0.5, 0.6, 0.7, 0.8, 0.95}; /* H-5 */
+static const char half[] = "cd uvf musl", whole[] = "usl usf"; /* first steps of integrators */
 
-/* A block whose particles or boxes reach EPS beyond a node; steps in units of scale h/c. */
-static const struct {
-    const char *method;
-    double beyond, scale;
-} corners[] = {{"mpm", 0, 0.141421}, {"gimp", 0.25, 1}, {"ge_wls", 0.5, 1}};
+/* H-5: tents, the edges of boxes, a free surface. */
+enum { CORNERS = 3 };
+static const Corner corners[CORNERS] = {
+    {"mpm", 0, EPS, 0.141421}, {"gimp", 0.25, EPS, 1}, {"ge_wls", 0.5, EPS, 1}};
 
 static void add_files(Cases *list, bool quick)
 {
@@ -41,26 +40,11 @@ static void add_files(Cases *list, bool quick)
                   (quick ? 10 : STEPS) * BLOCK_CFL / (CELLS * BLOCK_SPEED));
 }
 
-static void add_corners(Cases *list)
-{
-    for (int k = 0; k < 3; k++) {
-        const double offset = EPS + 0.25 - corners[k].beyond;
-        for (int n = 0; n < RUNGS; n++)
-            case_add(list,
-                     "run block --method %s --integrator cd --cells %d --cfl %.6g --t-end .1 --set "
-                     "dim=3 --set offset_x=%g --set offset_y=%g --set offset_z=%g --set "
-                     "stop_growth=1 --set stretch=1.00000003 --set drift_x=1.6e-7",
-                     corners[k].method, CORNER,
-                     rungs[n] * corners[k].scale * BLOCK_SPEED / BLOCK_P_SPEED, offset, offset,
-                     offset);
-    }
-}
-
 static void cases(Cases *list, bool quick)
 {
     const char *all = phrase("%s %s", half, whole);
     add_files(list, quick);
-    add_corners(list);
+    for (int k = 0; k < CORNERS; k++) corner_add(list, &corners[k]);
     case_add_each(list, "particles", "spin", spun,
                   "run block --cells %d --t-end %.17g --set dim=3 --set box=4 --set spin=1", CELLS,
                   2 * M_PI / BLOCK_SPEED);
@@ -93,18 +77,10 @@ static double force(const Table *t, double degrees)
     return block_nodes_largest(&block, t);
 }
 
-/* H-8: mean J about z, F_zz included, over exp(2 pi w dt). */
+/* H-8: mean J over exp(2 pi w dt). */
 static double growth(const Table *t)
 {
-    double mass = 0, sum = 0, F[5];
-    for (int k = 0; k < t->nrow; k++) {
-        const double m = select_number(t, k, "mass");
-        if (!(m > 0)) continue;
-        points_row(t, k, "Fxx Fxy Fyx Fyy Fzz", F);
-        mass += m;
-        sum += m * F[4] * (F[0] * F[3] - F[1] * F[2]);
-    }
-    return sum / mass / exp(2 * M_PI * BLOCK_CFL / CELLS);
+    return masses_sum(t, (const double[2]){2, 2}).J / exp(2 * M_PI * BLOCK_CFL / CELLS);
 }
 
 static void tables(const Results *r)
@@ -128,18 +104,6 @@ static void tables(const Results *r)
 static Measure largest(const Table *t, const char *what, const char *methods)
 {
     return curve_worst(t, methods, 1, "value", phrase("what=%s", what));
-}
-
-/* H-5: the largest of the rungs that is stable, with all below it. */
-static Measure stable(const Table *t, int corner)
-{
-    Measure rows = measure_sum_of(RUNGS);
-    int n = 0, rung = 0;
-    EACH_ROW(row, t, "stretch=1.00000003 method=%s", corners[corner].method) {
-        measure_add(&rows, 1);
-        rung += rung == n++ && select_is(t, row, "status", "ok");
-    }
-    return measure_with(rows, rung > 0 ? rungs[rung - 1] : 0);
 }
 
 /* H-14: largest error with these integrators. */
@@ -210,13 +174,13 @@ static void check(Check *c, const Results *r)
         c, "T-18e.h5-tent",
         "Corner .01 h inside a cell in 3D, MPM: the critical step is sqrt(2 eps/h) h/c, "
         "as in the plane: largest stable step of six, over that",
-        stable(t, 0), 0.9, 1, 0.8, 0.8,
+        corner_stable(t, &corners[0]), 0.9, 1, 0.8, 0.8,
         "stable at .8 of it, not at .95 (cd, eps = .01 h); the reason was not looked for");
-    for (int k = 1; k < 3; k++)
+    for (int k = 1; k < CORNERS; k++)
         claim(c, phrase("T-18e.h5-%s", corners[k].method),
               phrase("Corner .01 h inside a cell in 3D, %s: largest stable step of six [h/c]",
                      engine_label(corners[k].method)),
-              stable(t, k), 0.5, 0.5);
+              corner_stable(t, &corners[k]), 0.5, 0.5);
     claim(c, "T-18e.h12",
           "MPM, GE-MPM, every integrator in 3D: a block drifts from node to node: largest error "
           "of displacement [m]",
