@@ -99,6 +99,27 @@ Measure curve_mean_ratio(const Curve *a, const Curve *b, int needs)
     return mean;
 }
 
+Measure curve_least(const Table *t, const char *methods, int each, const char *want,
+                    const char *where)
+{
+    Measure least = measure_min_of(0);
+    EACH_WORD(m, methods)
+        least = measure_min(least, select_min(t, want, each, "method=%s %s", m, where));
+    return least;
+}
+
+void curve_add(Curve *c, double x, Measure y)
+{
+    if (y.rows < y.needs || c->n == CURVE_MAX) return;
+    c->x[c->n] = x;
+    c->y[c->n++] = y.value;
+}
+
+double curve_growth(const Table *t, const char *column)
+{
+    return t->nrow > 1 ? select_last(t, column) / select_number(t, 0, column) : NAN;
+}
+
 Measure curve_lost(const Table *t, const char *methods, int each, const char *where)
 {
     Measure lost = measure_sum_of(0);

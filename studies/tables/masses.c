@@ -25,8 +25,8 @@ static MassPoint point_of(const Table *t, int row)
         trace += number(t, row, stress[a]);
     }
     for (int k = 0; k < 4; k++) p.F[k / 2][k % 2] = number(t, row, F[k / 2][k % 2]);
-    const double across = p.F[0][1] * p.F[1][0];
-    p.J = p.F[0][0] * p.F[1][1] - across;
+    const double across = p.F[0][1] * p.F[1][0], Fzz = number(t, row, "Fzz");
+    p.J = (p.F[0][0] * p.F[1][1] - across) * (isnan(Fzz) ? 1 : Fzz);
     p.pressure = -trace / 3;
     return p;
 }

@@ -9,7 +9,8 @@
 typedef struct MassPoint {
     double mass;             /* [kg] */
     double X[3], x[3], v[3]; /* reference position, position [m], velocity [m/s] */
-    double F[2][2], J;       /* deformation gradient in the plane, its determinant */
+    double F[2][2];          /* deformation gradient in the plane */
+    double J;                /* its determinant, times F_zz */
     double pressure;         /* [Pa] */
 } MassPoint;
 

@@ -42,9 +42,9 @@ static void write_run(FILE *points, FILE *sums, const Results *r, const char *me
     const Table *t = results_run(r, "%s.%d", method, cells);
     if (!t->nrow) return;
     Rim rim = hole_read(t, cells, truth, !engine_has_grid(&engine_2d, method));
-    for (int k = 0; k < rim.n; k++)
-        fprintf(points, "%s,%d,%.17g,%.17g,%.17g\n", method, cells, rim.angle[k], rim.stress[k],
-                rim.reference[k]);
+    for (const RimPoint *p = rim.point; p < rim.point + rim.n; p++)
+        fprintf(points, "%s,%d,%.17g,%.17g,%.17g\n", method, cells, p->angle, p->stress,
+                p->reference);
     fprintf(sums, "%s,%d,%d,%.17g,%.17g,%.17g\n", method, cells, rim.n, hole_rms(&rim),
             hole_scatter(&rim), rim.moved);
     hole_free(&rim);
