@@ -20,7 +20,7 @@
 #include "studies/tables/ladder.h"
 #include "studies/tables/omega.h"
 
-enum { PER_CELL = 2, RUNGS = 8, DEPTHS = 6, EDGES = 3, DIMS = 2, QUICK = 2 /* depth */ };
+enum { PER_CELL = 2, RUNGS = 8, DEPTHS = 6, EDGES = 3, DIMS = 2, QUICK = 2 /* its depth */ };
 static const double rungs[RUNGS] = {0.0095, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6};
 
 /* What lies eps beyond a node, by its distance from the last particle in cells. */

@@ -81,25 +81,25 @@ static void write_one(FILE *f, const Results *r, int row)
         fprintf(f, "%.10g,\n", pow(end.J, 1 / turns) / exp(2 * M_PI * PER_STEP));
 }
 
-static const char which[] = "scene=%s method=%s variant=%s";
+static const char where[] = "scene=%s method=%s variant=%s";
 
-/* Of the area, or of angular momentum per turn: how far from the exact value. NAN: lost. */
-static double off(const Table *t, int s, const char *method, int v)
+/* How far the area, or the angular momentum lost per turn, is off; NAN: the run was lost. */
+static double deviation(const Table *t, int s, const char *method, int v)
 {
     const Measure x =
-        select_value(t, scenes[s].column, which, scenes[s].name, method, variants[v].name);
+        select_value(t, scenes[s].column, where, scenes[s].name, method, variants[v].name);
     return fabs(x.value - scenes[s].exact);
 }
 
 static Mark mark_of(const Table *t, int s, const char *method, int v)
 {
-    return grade_mark_of(off(t, s, method, v), scenes[s].ok, scenes[s].weak);
+    return grade_mark_of(deviation(t, s, method, v), scenes[s].ok, scenes[s].weak);
 }
 
 static void write_remedy(FILE *f, const Table *t, int s, const char *method, int v)
 {
-    if (select_next(t, -1, which, scenes[s].name, method, variants[v].name) < 0) return;
-    const double before = off(t, s, method, USUAL), after = off(t, s, method, v);
+    if (select_next(t, -1, where, scenes[s].name, method, variants[v].name) < 0) return;
+    const double before = deviation(t, s, method, USUAL), after = deviation(t, s, method, v);
     const char *was = isnan(before) ? "lost" : phrase("%.2g", before);
     const char *note = isnan(after) ? "lost" : phrase("%s -> %.2g of it lost a turn", was, after);
     grade_remedy_add(f, scenes[s].hard_case, method, variants[v].setting,
@@ -113,7 +113,7 @@ static void write_marks(FILE *f, FILE *remedies, const Table *t)
         const Mark free = mark_of(t, FREE, method, USUAL);
         grade_add(f, "H-8a", method, mark_of(t, SPUN, method, USUAL),
                   "area %.3g times the right one after %d imposed turns",
-                  select_ended(t, "J", which, "spin", method, "usual").value, TURNS);
+                  select_ended(t, "J", where, "spin", method, "usual").value, TURNS);
         if (free == MARK_LOST)
             grade_add(f, "H-8b", method, free, "lost after %.2g turns",
                       select_number(t, row, "turns"));

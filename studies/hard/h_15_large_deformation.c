@@ -82,8 +82,8 @@ static End end_of(const Table *rows, int row, bool quick)
 static void tables(const Results *r)
 {
     static const Mark mark_of[] = {MARK_OK, MARK_WEAK, MARK_WEAK, MARK_LOST};
-    static const char off[] = "vortex, G = .5: error %.2g m";
-    static const char *const notes[MARKS] = {off, off, "vortex, G = .5: lost"};
+    static const char error_note[] = "vortex, G = .5: error %.2g m";
+    static const char *const notes[MARKS] = {error_note, error_note, "vortex, G = .5: lost"};
     FILE *marks = grades_write(r);
     FILE *grid = results_write(r, "grid", "method,rule,column,line,grade,text,stretch");
     FILE *errors = results_write(r, "errors", "method,rule,cells,error,status");
