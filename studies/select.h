@@ -55,6 +55,9 @@ Measure select_max(const Table *t, const char *name, int needs, const char *wher
 Measure select_min(const Table *t, const char *name, int needs, const char *where, ...)
     __attribute__((format(printf, 4, 5)));
 
+/* The largest over all rows. */
+Measure select_largest(const Table *t, const char *name, int needs);
+
 /* The value of column `name` in the last row; NAN if the table has none. */
 double select_last(const Table *t, const char *name);
 

@@ -72,7 +72,7 @@ static void write_places(FILE *f, const Results *r)
     for (int dim = 1; dim <= 2; dim++)
         for (int k = 0; k < PLACES; k++) {
             const Table *t = results_ended(r, "%s", place_name(dim, k));
-            const double most = select_max(t, "kinetic", 1, "%s", "").value;
+            const double most = select_largest(t, "kinetic", 1).value;
             if (t->nrow > 0)
                 fprintf(f, "%d,%.2f,%.10g,%s\n", dim, k / (double)PLACES,
                         sqrt(most / select_number(t, 0, "kinetic")),

@@ -122,7 +122,7 @@ static void write_ledger(FILE *f, const Results *r)
         EACH_WORD(m, shown)
             for (int v = 0; v < VARIANTS; v++) {
                 const Table *t = results_ended(r, "%s", part_name(s, m, v));
-                const double most = select_max(t, "total", 1, "%s", "").value;
+                const double most = select_largest(t, "total", 1).value;
                 for (int k = 0; k < t->nrow; k += EVERY)
                     fprintf(f, "%s,%s,%s,%.6g,%.6g\n", scenes[s].problem, m, variants[v].name,
                             select_number(t, k, "t"),

@@ -68,6 +68,22 @@ MassSums masses_sum(const Table *t, const double centre[2])
     return s;
 }
 
+double masses_hanging_stretch(const Table *t, double top)
+{
+    Masses all = masses_read(t);
+    double lowest = INFINITY, total = 0;
+    int n = 0;
+    for (int k = 0; k < all.n; k++) lowest = measure_lesser(lowest, all.list[k].X[1]);
+    for (int k = 0; k < all.n; k++) {
+        const double Y = all.list[k].X[1], y = all.list[k].x[1];
+        if (Y > lowest + 1e-9) continue;
+        total += (top - y) / (top - Y);
+        n++;
+    }
+    masses_free(&all);
+    return n ? total / n : NAN;
+}
+
 static bool is_near(const MassPoint *a, const MassPoint *b, double reach)
 {
     return fabs(b->X[0] - a->X[0]) <= reach && fabs(b->X[1] - a->X[1]) <= reach;

@@ -33,6 +33,10 @@ typedef struct MassSums {
 
 MassSums masses_sum(const Table *t, const double centre[2]);
 
+/* How many times as long a body is that hangs from y = top: mean over the points of its lowest
+ * layer; NAN: there are none. */
+double masses_hanging_stretch(const Table *t, double top);
+
 /* Root mean square over mass of the pressure less its mean over all points within `spacings` times
  * the own spacing along each axis of the plane. With a density of 1, `share` points of the own mass
  * make a square whose side is the spacing. */
