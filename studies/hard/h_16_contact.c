@@ -74,7 +74,7 @@ static Measure early_gap(const Results *r, const char *method, int cells)
 static Measure energy_back(const Results *r, const char *part)
 {
     const Table *t = results_run(r, "%s", part);
-    return measure_with(select_largest(t, "total", INSTANTS), history_ratio(t, "total"));
+    return measure_with(select_largest(t, "total", INSTANTS), curve_growth(t, "total"));
 }
 
 /* Acceleration of the block [m/s^2] from its momentum, over the last three quarters of the run. */

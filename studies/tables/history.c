@@ -4,11 +4,6 @@
 #include <math.h>
 #include "studies/select.h"
 
-double history_ratio(const Table *t, const char *column)
-{
-    return t->nrow ? select_last(t, column) / select_number(t, 0, column) : NAN;
-}
-
 double history_first_change(const Table *t, const char *column, double share)
 {
     for (int row = 0; row < t->nrow; row++)

@@ -5,9 +5,6 @@
 
 #include "common/base/table.h"
 
-/* A column at the end over its start. */
-double history_ratio(const Table *t, const char *column);
-
 /* When the column first differs from its start by more than this share of it [s]; NAN: never. */
 double history_first_change(const Table *t, const char *column, double share);
 
