@@ -9,7 +9,6 @@
 #include <math.h>
 #include "studies/runs/run_row.h"
 #include "studies/tables/grades.h"
-#include "studies/tables/history.h"
 #include "studies/tables/hole.h"
 
 /* The parts, and what stands in their place without them. */
@@ -104,7 +103,7 @@ static Measure value_of(const Table *rows, int scene, int n, int part)
 static Measure history_end(const Results *r, int scene, const char *what)
 {
     const Table *h = results_run(r, "%s", file_part(scene, what));
-    const double ratio = history_ratio(h, scene == BLOCK ? "kinetic" : "total");
+    const double ratio = curve_growth(h, scene == BLOCK ? "kinetic" : "total");
     return measure(scene == BLOCK ? sqrt(ratio) : fabs(ratio - 1), !isnan(ratio), 1);
 }
 

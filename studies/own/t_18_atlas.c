@@ -11,7 +11,6 @@
 #include "studies/tables/block_nodes.h"
 #include "studies/tables/corner.h"
 #include "studies/tables/grades.h"
-#include "studies/tables/history.h"
 #include "studies/tables/masses.h"
 
 enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5 };
@@ -94,9 +93,9 @@ static void tables(const Results *r)
             const char *part = phrase("%s.%s", what[k], m);
             const Table *t = results_run(r, "%s", part);
             const double x = k < 2    ? force(t, 30 * k)
-                             : k == 2 ? sqrt(history_ratio(t, "kinetic"))
+                             : k == 2 ? sqrt(curve_growth(t, "kinetic"))
                              : k == 3 ? growth(t)
-                                      : 1 - history_ratio(t, "angular_z");
+                                      : 1 - curve_growth(t, "angular_z");
             if (t->nrow) fprintf(f, "%s,%s,%.10g,%s\n", what[k], m, x, results_status(r, part));
         }
 }

@@ -115,6 +115,11 @@ void curve_add(Curve *c, double x, Measure y)
     c->y[c->n++] = y.value;
 }
 
+double curve_growth(const Table *t, const char *column)
+{
+    return t->nrow > 1 ? select_last(t, column) / select_number(t, 0, column) : NAN;
+}
+
 Measure curve_lost(const Table *t, const char *methods, int each, const char *where)
 {
     Measure lost = measure_sum_of(0);

@@ -53,6 +53,9 @@ Measure curve_least(const Table *t, const char *methods, int each, const char *w
 /* Adds a point, unless y lacks rows that it needs. */
 void curve_add(Curve *c, double x, Measure y);
 
+/* A column in the last row over that in the first; NAN with fewer than two rows. */
+double curve_growth(const Table *t, const char *column);
+
 /* How many rows of these methods that also meet `where` were lost; there are `each` of a method. */
 Measure curve_lost(const Table *t, const char *methods, int each, const char *where);
 
