@@ -74,9 +74,8 @@ static double fewest(const Table *t, const char *method)
 {
     double least = INFINITY;
     for (int k = FEW - 1; k >= 0; k--) {
-        if (!(measure_worse(few_error(t, 0, method, few[k]).value,
-                            few_error(t, 1, method, few[k]).value) < USABLE))
-            break;
+        const Measure bar = few_error(t, 0, method, few[k]), wave = few_error(t, 1, method, few[k]);
+        if (!(measure_worse(bar.value, wave.value) < USABLE)) break;
         least = few[k];
     }
     return least;
@@ -136,9 +135,9 @@ static void check(Check *c, const Results *r)
           "Axis-aligned displacement with half a particle per axis: too few for GIMP: its error "
           "over the amplitude",
           few_error(t, 1, "gimp", 0.5), 0.5, 3);
-    for (int m = 0; m < 2; m++)
+    EACH_WORD(m, "wls wls2")
         for (int k = 0; k < 2; k++) {
-            const double e = few_error(t, 1, m ? "wls2" : "wls", few[k]).value;
+            const double e = few_error(t, 1, m, few[k]).value;
             measure_add(&lost, isnan(e) ? NAN : isinf(e));
         }
     claim(c, "H-7.wls",
