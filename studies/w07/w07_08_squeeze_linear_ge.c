@@ -34,14 +34,14 @@ static void add_nodes(Measure *worst, const Results *r, const char *method, int 
 static void check(Check *c, const Results *r)
 {
     static const char *const ids[METHODS] = {"W07-8.ge-mpm", "W07-8.ge-gimp"};
-    static const char *const says[METHODS] = {
-        "Squeeze, linear field: GE-MPM is exact: largest error over 50 to 1000 particles",
-        "Squeeze, linear field: GE-GIMP is exact: largest error over 50 to 1000 particles"};
     Measure worst = measure_max_of(METHODS * SAMPLES * (SQUEEZE_CELLS + 1));
     Curve curve;
     for (int m = 0; m < METHODS; m++) {
         curve_pick(&curve, r->rows, "ppc", "error_linf", "method=%s", methods[m]);
-        claim(c, ids[m], says[m], curve_max(&curve, SQUEEZE_POINTS + SAMPLES), 0, 1e-13);
+        claim(c, ids[m],
+              phrase("Squeeze, linear field: %s is exact: largest error over 50 to 1000 particles",
+                     engine_label(methods[m])),
+              curve_max(&curve, SQUEEZE_POINTS + SAMPLES), 0, 1e-13);
         for (int k = 0; k < SAMPLES; k++) add_nodes(&worst, r, methods[m], samples[k]);
     }
     claim(c, "W07-8.boundary",
