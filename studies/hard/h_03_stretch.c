@@ -99,11 +99,6 @@ static void write_one(FILE *curve, FILE *onset, const Results *r, const char *me
 
 static void write_marks(FILE *f, const Table *t)
 {
-    static const char *const notes[MARKS] = {
-        "carries stress to four times its length",
-        "stress is known to four times the length, but not carried: forces up to %.2g of sigma A "
-        "inside",
-        "stress lost at a stretch of %.2g (worst of three)"};
     EACH_METHOD_OF(m, &engine_2d, t) {
         double force = NAN, first = INFINITY;
         EACH_ROW(row, t, "method=%s variant=usual", m->name) {
@@ -112,8 +107,17 @@ static void write_marks(FILE *f, const Table *t)
             first = fmin(first, select_number(t, row, "onset"));
             if (end < 0.99 * longest) first = fmin(first, end);
         }
-        const Mark mark = first < INFINITY ? MARK_LOST : force > wrong ? MARK_WEAK : MARK_OK;
-        grade_add_noted(f, "H-3", m->name, mark, notes, mark == MARK_LOST ? first : force);
+        const bool broken = first < INFINITY;
+        grade_add(f, "H-3", m->name,
+                  broken          ? MARK_LOST
+                  : force > wrong ? MARK_WEAK
+                                  : MARK_OK,
+                  broken ? "stress lost at a stretch of %.2g (worst of three)"
+                  : force > wrong
+                      ? "stress is known to four times the length, but not carried: forces up to "
+                        "%.2g of sigma A inside"
+                      : "carries stress to four times its length",
+                  broken ? first : force);
     }
 }
 
