@@ -9,8 +9,8 @@
  *
  * A method may have the right strain in particles that share no node any more. Therefore a second
  * set of runs starts from the fully stretched bar in equilibrium, where nodal forces inside must
- * vanish (as in h_01_translation.c). A force of sigma A F/n, the full contribution of one particle,
- * means that this particle shares no node with its neighbours. */
+ * vanish (block_nodes.h). A force of sigma A F/n, the full contribution of one particle, means
+ * that this particle shares no node with its neighbours. */
 #include <math.h>
 #include <string.h>
 #include "studies/tables/block_nodes.h"
@@ -107,17 +107,14 @@ static void write_marks(FILE *f, const Table *t)
             first = fmin(first, select_number(t, row, "onset"));
             if (end < 0.99 * longest) first = fmin(first, end);
         }
-        const bool broken = first < INFINITY;
-        grade_add(f, "H-3", m->name,
-                  broken          ? MARK_LOST
-                  : force > wrong ? MARK_WEAK
-                                  : MARK_OK,
-                  broken ? "stress lost at a stretch of %.2g (worst of three)"
-                  : force > wrong
+        const Mark mark = first < INFINITY ? MARK_LOST : force > wrong ? MARK_WEAK : MARK_OK;
+        grade_add(f, "H-3", m->name, mark,
+                  mark == MARK_LOST ? "stress lost at a stretch of %.2g (worst of three)"
+                  : mark == MARK_WEAK
                       ? "stress is known to four times the length, but not carried: forces up to "
                         "%.2g of sigma A inside"
                       : "carries stress to four times its length",
-                  broken ? first : force);
+                  mark == MARK_LOST ? first : force);
     }
 }
 
