@@ -12,7 +12,6 @@
  * vanish (block_nodes.h). A force of sigma A F/n, the full contribution of one particle, means
  * that this particle shares no node with its neighbours. */
 #include <math.h>
-#include <string.h>
 #include "studies/tables/block_nodes.h"
 #include "studies/tables/grades.h"
 #include "studies/tables/variants.h"
@@ -81,7 +80,7 @@ static void write_one(FILE *curve, FILE *onset, const Results *r, const char *me
     const char *part = part_name(method, k, variants[v].name);
     const char *head = phrase("%s,%s,%s", kinds[k].name, method, variants[v].name);
     const char *at_rest = v ? "absent" : results_status(r, part_name(method, k, "force"));
-    const double force = strcmp(at_rest, "absent") ? force_inside(r, method, k) : NAN;
+    const double force = select_is_word("ok lost", at_rest) ? force_inside(r, method, k) : NAN;
     const Table *t = results_ended(r, "%s", part);
     if (t->nrow < 2) return;
     const double dt = select_number(t, 1, "t"), V0 = select_number(t, 0, "volume");
