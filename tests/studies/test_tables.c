@@ -1,9 +1,6 @@
 /* test_tables.c: what pages share, on tables made by hand: points with mass, nodal forces inside a
  * block, histories, options of methods, the frequency of a bar, windows of stable steps. */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
-#include <unistd.h>
 #include "studies/tables/block_nodes.h"
 #include "studies/tables/ladder.h"
 #include "studies/tables/masses.h"
@@ -11,27 +8,14 @@
 #include "studies/tables/variants.h"
 #include "tests/check.h"
 
-static Table *table_of(const char *text)
-{
-    static const char path[] = "scratch/tables.csv";
-    FILE *f = fopen(path, "w");
-    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
-    fputs(text, f);
-    fclose(f);
-    Table *t = table_read(path, NULL);
-    CU_ASSERT_PTR_NOT_NULL_FATAL(t);
-    unlink(path);
-    return t;
-}
-
 /* Two points at distance 1 from the centre (1, 1) turn with 7 rad/s about their middle, which
  * moves; the third has no mass. */
 static void test_sums(void)
 {
-    Table *t = table_of("X,Y,x,y,vx,vy,Fxx,Fxy,Fyx,Fyy,mass\n"
-                        "2,1,5,3,3,12,2,1,0.5,1,0.5\n"
-                        "0,1,3,3,3,-2,-0.25,0,0,-4,0.5\n"
-                        "9,9,9,9,9,9,9,9,9,9,0\n");
+    Table *t = check_table("X,Y,x,y,vx,vy,Fxx,Fxy,Fyx,Fyy,mass\n"
+                           "2,1,5,3,3,12,2,1,0.5,1,0.5\n"
+                           "0,1,3,3,3,-2,-0.25,0,0,-4,0.5\n"
+                           "9,9,9,9,9,9,9,9,9,9,0\n");
     const MassSums s = masses_sum(t, (const double[2]){1, 1});
     CU_ASSERT(s.n == 2);
     CHECK_CLOSE(s.J, 1.25, 1e-15);
@@ -46,7 +30,8 @@ static void test_sums(void)
 /* The lowest layer, Y = 2, hangs from y = 4: it is 1.5 and 2 times as far from there. */
 static void test_stretch(void)
 {
-    Table *t = table_of("Y,y,mass\n3,9,1\n2,1,1\n2,0,1\n1,1,0\n"), *none = table_of("Y,y,mass\n");
+    Table *t = check_table("Y,y,mass\n3,9,1\n2,1,1\n2,0,1\n1,1,0\n"),
+          *none = check_table("Y,y,mass\n");
     CHECK_CLOSE(masses_hanging_stretch(t, 4), 1.75, 1e-15);
     CU_ASSERT(isnan(masses_hanging_stretch(none, 4)));
     table_free(none);
@@ -56,8 +41,8 @@ static void test_stretch(void)
 /* Pressures 3 + 2 and 3 - 2 of neighbours at a spacing of .5; the third point is too far away. */
 static void test_checkerboard(void)
 {
-    Table *t = table_of("X,Y,sxx,syy,szz,mass\n0,0,-5,-5,-5,0.25\n0.5,0,-1,-1,-1,0.25\n"
-                        "9,0,-8,-8,-8,0.5\n");
+    Table *t = check_table("X,Y,sxx,syy,szz,mass\n0,0,-5,-5,-5,0.25\n0.5,0,-1,-1,-1,0.25\n"
+                           "9,0,-8,-8,-8,0.5\n");
     Masses all = masses_read(t);
     CU_ASSERT(all.n == 3);
     CHECK_CLOSE(all.list[0].pressure, 5, 1e-15);
@@ -73,7 +58,7 @@ static void test_forces(void)
 {
     static const double shift[] = {0.5};
     const BlockNodes bar = {1, 10, 3, shift, 2, 0, 0.1, 0.25};
-    Table *t = table_of("x,mass,vx\n1.55,0.1,32.5\n1.6,0.2,-1.25\n2.06,0.1,99\n");
+    Table *t = check_table("x,mass,vx\n1.55,0.1,32.5\n1.6,0.2,-1.25\n2.06,0.1,99\n");
     double x[3], f[3];
     CU_ASSERT(block_node_force(&bar, t, 1, x, f));
     CHECK_CLOSE(x[0], 0.05, 1e-14);
@@ -91,7 +76,7 @@ static void test_turned(void)
 {
     const BlockNodes lying = {2, 4, 3, NULL, 2, 0, 0, 0.25},
                      upright = {2, 4, 3, NULL, 2, 90, 0, 0.25};
-    Table *t = table_of("x,y,mass,vx,vy\n1.5,1.9,1,0,0\n");
+    Table *t = check_table("x,y,mass,vx,vy\n1.5,1.9,1,0,0\n");
     double x[3], f[3];
     CU_ASSERT(!block_node_force(&lying, t, 0, x, f) && block_node_force(&upright, t, 0, x, f));
     table_free(t);
@@ -99,7 +84,7 @@ static void test_turned(void)
 
 static void test_history(void)
 {
-    Table *t = table_of("t,px\n0,2\n1,2\n2,2.5\n4,8\n"), *none = table_of("t,px\n");
+    Table *t = check_table("t,px\n0,2\n1,2\n2,2.5\n4,8\n"), *none = check_table("t,px\n");
     CHECK_CLOSE(curve_first_change(t, "px", 0.1), 2, 0);
     CHECK_CLOSE(curve_rate(t, "px", 0.25), 2, 1e-15);
     CU_ASSERT(isnan(curve_first_change(t, "px", 9)) && isnan(curve_rate(none, "px", 0.25)));
@@ -116,8 +101,8 @@ static void test_variants(void)
                "run ring --method wls --set return=spline");
     CU_ASSERT_PTR_NULL(variant_run(&variants[1], "run ring --method gimp"));
     CU_ASSERT_PTR_NULL(variant_run(&variants[2], "run ring --method fem")); /* it has no grid */
-    Table *t =
-        table_of("method,params\nwls,return=spline\nwls,A=1\nwls,domain=stretch;return=spline\n");
+    Table *t = check_table(
+        "method,params\nwls,return=spline\nwls,A=1\nwls,domain=stretch;return=spline\n");
     CU_ASSERT(variant_of_row(variants, 3, t, 0) == 1 && variant_of_row(variants, 3, t, 1) == 0);
     CU_ASSERT(variant_of_row(variants, 3, t, 2) == 2);
     table_free(t);
@@ -142,7 +127,8 @@ static void test_window(void)
 
 static void test_lost(void)
 {
-    Table *t = table_of("method,status,e\ngimp,ok,1\ngimp,inverted,2\nwls,left_grid,3\nmpm,ok,4\n");
+    Table *t =
+        check_table("method,status,e\ngimp,ok,1\ngimp,inverted,2\nwls,left_grid,3\nmpm,ok,4\n");
     const Measure lost = curve_lost(t, "gimp wls", 1, "");
     CU_ASSERT(lost.value == 2 && lost.rows == 3 && lost.needs == 2);
     CU_ASSERT(curve_lost(t, "mpm apic", 1, "").rows < 2);
