@@ -9,10 +9,9 @@
  *
  * A method may have the right strain in particles that share no node any more. Therefore a second
  * set of runs starts from the fully stretched bar in equilibrium, where nodal forces inside must
- * vanish (as in h_01_translation.c). A force of sigma A F/n, the full contribution of one particle,
- * means that this particle shares no node with its neighbours. */
+ * vanish (block_nodes.h). A force of sigma A F/n, the full contribution of one particle, means
+ * that this particle shares no node with its neighbours. */
 #include <math.h>
-#include <string.h>
 #include "studies/tables/block_nodes.h"
 #include "studies/tables/grades.h"
 #include "studies/tables/variants.h"
@@ -81,7 +80,7 @@ static void write_one(FILE *curve, FILE *onset, const Results *r, const char *me
     const char *part = part_name(method, k, variants[v].name);
     const char *head = phrase("%s,%s,%s", kinds[k].name, method, variants[v].name);
     const char *at_rest = v ? "absent" : results_status(r, part_name(method, k, "force"));
-    const double force = strcmp(at_rest, "absent") ? force_inside(r, method, k) : NAN;
+    const double force = select_is_word("ok lost", at_rest) ? force_inside(r, method, k) : NAN;
     const Table *t = results_ended(r, "%s", part);
     if (t->nrow < 2) return;
     const double dt = select_number(t, 1, "t"), V0 = select_number(t, 0, "volume");
@@ -99,11 +98,6 @@ static void write_one(FILE *curve, FILE *onset, const Results *r, const char *me
 
 static void write_marks(FILE *f, const Table *t)
 {
-    static const char *const notes[MARKS] = {
-        "carries stress to four times its length",
-        "stress is known to four times the length, but not carried: forces up to %.2g of sigma A "
-        "inside",
-        "stress lost at a stretch of %.2g (worst of three)"};
     EACH_METHOD_OF(m, &engine_2d, t) {
         double force = NAN, first = INFINITY;
         EACH_ROW(row, t, "method=%s variant=usual", m->name) {
@@ -113,7 +107,13 @@ static void write_marks(FILE *f, const Table *t)
             if (end < 0.99 * longest) first = fmin(first, end);
         }
         const Mark mark = first < INFINITY ? MARK_LOST : force > wrong ? MARK_WEAK : MARK_OK;
-        grade_add_noted(f, "H-3", m->name, mark, notes, mark == MARK_LOST ? first : force);
+        grade_add(f, "H-3", m->name, mark,
+                  mark == MARK_LOST ? "stress lost at a stretch of %.2g (worst of three)"
+                  : mark == MARK_WEAK
+                      ? "stress is known to four times the length, but not carried: forces up to "
+                        "%.2g of sigma A inside"
+                      : "carries stress to four times its length",
+                  mark == MARK_LOST ? first : force);
     }
 }
 

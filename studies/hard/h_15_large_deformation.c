@@ -82,8 +82,6 @@ static End end_of(const Table *rows, int row, bool quick)
 static void tables(const Results *r)
 {
     static const Mark mark_of[] = {MARK_OK, MARK_WEAK, MARK_WEAK, MARK_LOST};
-    static const char error_note[] = "vortex, G = .5: error %.2g m";
-    static const char *const notes[MARKS] = {error_note, error_note, "vortex, G = .5: lost"};
     FILE *marks = grades_write(r);
     FILE *grid = results_write(r, "grid", "method,rule,column,line,grade,text,stretch");
     FILE *errors = results_write(r, "errors", "method,rule,cells,error,status");
@@ -103,7 +101,9 @@ static void tables(const Results *r)
                     end.column < BAR ? ""
                                      : phrase("%.5g", stretch_of(r, method, rules[rule].name)));
         if (end.column == HALF && rule == 0)
-            grade_add_noted(marks, "H-15", method, mark_of[end.grade], notes, error);
+            grade_add(marks, "H-15", method, mark_of[end.grade],
+                      end.grade > 2 ? "vortex, G = .5: lost" : "vortex, G = .5: error %.2g m",
+                      error);
         if (select_meets(r->rows, row, "G=0.5"))
             fprintf(errors, "%s,%g,%.10g,%s\n", name, select_number(r->rows, row, "cells"), error,
                     select_is_lost(r->rows, row) ? "lost" : "ok");

@@ -6,7 +6,6 @@
  * in h. And it is defined for one projection a step. */
 #include <math.h>
 #include "studies/tables/grades.h"
-#include "studies/tables/history.h"
 
 enum { INSTANTS = 100 /* of a history, at least */, MUS = 4 };
 static const double mus[MUS] = {0, 0.1, 0.3, 0.4};
@@ -66,7 +65,7 @@ static Measure bars_error(const Results *r, const char *method, int cells)
 static Measure early_gap(const Results *r, const char *method, int cells)
 {
     const Table *t = results_run(r, "gap.%s", method);
-    const double when = history_first_change(t, "kinetic", 1e-6);
+    const double when = curve_first_change(t, "kinetic", 1e-6);
     return measure((0.1 - 2 * when) * cells, !isnan(when), 1);
 }
 
@@ -81,7 +80,7 @@ static Measure energy_back(const Results *r, const char *part)
 static Measure acceleration(const Results *r, double mu, int cells)
 {
     const Table *t = results_run(r, "slide.%g.%d", mu, cells);
-    return measure_with(select_largest(t, "px", INSTANTS), history_rate(t, "px", 0.25) / mass);
+    return measure_with(select_largest(t, "px", INSTANTS), curve_rate(t, "px", 0.25) / mass);
 }
 
 static double rigid_acceleration(double mu)

@@ -34,12 +34,6 @@ void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, c
     putc('\n', f);
 }
 
-void grade_add_noted(FILE *f, const char *hard_case, const char *method, Mark grade,
-                     const char *const notes[MARKS], double number)
-{
-    grade_add(f, hard_case, method, grade, notes[grade], number);
-}
-
 Mark grade_mark_of(double value, double ok, double weak)
 {
     return value <= ok ? MARK_OK : value <= weak ? MARK_WEAK : MARK_LOST;

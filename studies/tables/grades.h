@@ -36,10 +36,6 @@ FILE *grades_write_remedies(const Results *results);
 void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, const char *note,
                ...) __attribute__((format(printf, 5, 6)));
 
-/* One note per mark: each a printf format that may show the number. */
-void grade_add_noted(FILE *f, const char *hard_case, const char *method, Mark grade,
-                     const char *const notes[MARKS], double number);
-
 /* note: what the option does to the number, or "". */
 void grade_remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy,
                       Mark before, Mark after, const char *note);

@@ -1,11 +1,7 @@
 /* test_tables.c: what pages share, on tables made by hand: points with mass, nodal forces inside a
  * block, histories, options of methods, the frequency of a bar, windows of stable steps. */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
-#include <unistd.h>
 #include "studies/tables/block_nodes.h"
-#include "studies/tables/history.h"
 #include "studies/tables/ladder.h"
 #include "studies/tables/masses.h"
 #include "studies/tables/omega.h"
@@ -89,9 +85,9 @@ static void test_turned(void)
 static void test_history(void)
 {
     Table *t = check_table("t,px\n0,2\n1,2\n2,2.5\n4,8\n"), *none = check_table("t,px\n");
-    CHECK_CLOSE(history_first_change(t, "px", 0.1), 2, 0);
-    CHECK_CLOSE(history_rate(t, "px", 0.25), 2, 1e-15);
-    CU_ASSERT(isnan(history_first_change(t, "px", 9)) && isnan(history_rate(none, "px", 0.25)));
+    CHECK_CLOSE(curve_first_change(t, "px", 0.1), 2, 0);
+    CHECK_CLOSE(curve_rate(t, "px", 0.25), 2, 1e-15);
+    CU_ASSERT(isnan(curve_first_change(t, "px", 9)) && isnan(curve_rate(none, "px", 0.25)));
     table_free(none);
     table_free(t);
 }
