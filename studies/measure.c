@@ -84,6 +84,20 @@ Measure measure_min(Measure a, Measure b)
     return both(measure_lesser(a.value, b.value), a, b);
 }
 
+Measure measure_largest(int n, const Measure m[])
+{
+    Measure out = m[0];
+    for (int k = 1; k < n; k++) out = measure_max(out, m[k]);
+    return out;
+}
+
+Measure measure_least(int n, const Measure m[])
+{
+    Measure out = m[0];
+    for (int k = 1; k < n; k++) out = measure_min(out, m[k]);
+    return out;
+}
+
 Measure measure_sum(Measure a, Measure b)
 {
     return both(a.value + b.value, a, b);

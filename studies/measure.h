@@ -32,6 +32,10 @@ Measure measure_max(Measure a, Measure b);
 Measure measure_min(Measure a, Measure b);
 Measure measure_sum(Measure a, Measure b);
 
+/* The largest and the least of n measures, which stands on the rows of all. */
+Measure measure_largest(int n, const Measure m[]);
+Measure measure_least(int n, const Measure m[]);
+
 /* The same rows, another unit; or another function of the number. */
 Measure measure_times(Measure m, double factor);
 Measure measure_with(Measure m, double value);

@@ -243,6 +243,11 @@ Measure select_min(const Table *t, const char *name, int needs, const char *wher
     return extreme(t, name, &c, measure_min_of(needs), measure_add_min);
 }
 
+Measure select_largest(const Table *t, const char *name, int needs)
+{
+    return select_max(t, name, needs, "%s", "");
+}
+
 double select_last(const Table *t, const char *name)
 {
     return t->nrow > 0 ? select_number(t, t->nrow - 1, name) : NAN;
@@ -262,4 +267,11 @@ const char *select_word(const char **rest)
     const size_t n = strcspn(word, " ");
     *rest = word + n;
     return n > 0 ? phrase("%.*s", (int)n, word) : NULL;
+}
+
+bool select_is_word(const char *words, const char *word)
+{
+    EACH_WORD(w, words)
+        if (strcmp(w, word) == 0) return true;
+    return false;
 }

@@ -55,6 +55,9 @@ Measure select_max(const Table *t, const char *name, int needs, const char *wher
 Measure select_min(const Table *t, const char *name, int needs, const char *where, ...)
     __attribute__((format(printf, 4, 5)));
 
+/* The largest over all rows. */
+Measure select_largest(const Table *t, const char *name, int needs);
+
 /* The value of column `name` in the last row; NAN if the table has none. */
 double select_last(const Table *t, const char *name);
 
@@ -65,5 +68,8 @@ Measure select_count_lost(const Table *t, int needs, const char *where);
  * (phrase.h): nobody frees it. EACH_WORD(m, "gimp wls") loops over the words as `const char *m`. */
 const char *select_word(const char **rest);
 #define EACH_WORD(m, words) for (const char *m##_rest = (words), *m; (m = select_word(&m##_rest));)
+
+/* Is it one of the words? */
+bool select_is_word(const char *words, const char *word);
 
 #endif

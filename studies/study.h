@@ -55,6 +55,11 @@ void case_add(Cases *cases, const char *format, ...) __attribute__((format(print
 void case_add_with(Cases *cases, const char *kind, const char *part, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
+/* Such a run with each of these methods ("gimp wls"), and a file NAME.PART.METHOD.csv of each; the
+ * format is the run without its method. */
+void case_add_each(Cases *cases, const char *kind, const char *part, const char *methods,
+                   const char *format, ...) __attribute__((format(printf, 5, 6)));
+
 /* Begins NAME.PART.csv ("": NAME.csv) with this line; it is on disk, whole, when tables() is done.
  * Never NULL; not to be closed. */
 FILE *results_write(const Results *results, const char *part, const char *header);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #undef CU_assertImplementation
 
@@ -92,4 +93,17 @@ int main(void)
     const int nothing = ready && CU_get_number_of_tests_run() == 0;
     CU_cleanup_registry();
     return nothing ? 2 : failed;
+}
+
+Table *check_table(const char *text)
+{
+    static const char path[] = "scratch/check.csv";
+    FILE *f = fopen(path, "w");
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    fputs(text, f);
+    fclose(f);
+    Table *t = table_read(path, NULL);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(t);
+    unlink(path);
+    return t;
 }

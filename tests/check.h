@@ -10,6 +10,7 @@
 #include <CUnit/Basic.h>
 #include <math.h>
 #include "common/base/spec.h"
+#include "common/base/table.h"
 
 typedef struct TestCase {
     const char *name;
@@ -38,6 +39,9 @@ void check_context_of(int dim, const RunSpec *spec);
 CU_BOOL check_assert(CU_BOOL holds, unsigned line, const char *condition, const char *file,
                      const char *function, CU_BOOL fatal);
 #define CU_assertImplementation check_assert
+
+/* The table of a CSV text; to be freed. */
+Table *check_table(const char *text);
 
 /* |a - b| <= tolerance; NAN is never close. */
 #define CHECK_CLOSE(a, b, tolerance) CU_ASSERT(fabs((a) - (b)) <= (tolerance))

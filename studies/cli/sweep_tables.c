@@ -110,14 +110,6 @@ static Sums sums_of(const Curves *c, const Part *p)
     return s;
 }
 
-/* Does the axis make meshes or steps finer, so that all else must be equal? */
-static bool refines(const char *axis)
-{
-    EACH_WORD(name, "cells ppc cfl particles")
-        if (strcmp(name, axis) == 0) return true;
-    return false;
-}
-
 /* Why no slope can be fitted, or "". */
 static void why_none(const Curves *c, const Sums *s, char why[REASON_TEXT])
 {
@@ -130,7 +122,7 @@ static void why_none(const Curves *c, const Sums *s, char why[REASON_TEXT])
         snprintf(why, REASON_TEXT, "%s is exactly 0", c->y);
     else if (!s->x_above)
         snprintf(why, REASON_TEXT, "%.40s is not above 0 everywhere", c->x);
-    else if (refines(c->x) && !s->same_end)
+    else if (select_is_word("cells ppc cfl particles", c->x) && !s->same_end) /* it refines */
         snprintf(why, REASON_TEXT, "runs end at different times; --t-end T makes them equal");
     else if (s->below && s->above)
         snprintf(why, REASON_TEXT, "%s changes its sign", c->y);

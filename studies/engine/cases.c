@@ -10,6 +10,7 @@
 #include "studies/runs/engines.h"
 #include "studies/runs/must.h"
 #include "studies/runs/run_args.h"
+#include "studies/select.h"
 
 static unsigned long add_checksum(unsigned long sum, const char *text)
 {
@@ -73,6 +74,15 @@ void case_add_with(Cases *cases, const char *kind, const char *part, const char 
     char text[SPEC_TEXT];
     PHRASE_INTO(text, format);
     add(cases, kind, part, text);
+}
+
+void case_add_each(Cases *cases, const char *kind, const char *part, const char *methods,
+                   const char *format, ...)
+{
+    char text[SPEC_TEXT];
+    PHRASE_INTO(text, format);
+    EACH_WORD(m, methods)
+        add(cases, kind, phrase("%s.%s", part, m), phrase("%s --method %s", text, m));
 }
 
 /* Points the run's output option at the case's file; the list no longer moves. */

@@ -2,11 +2,11 @@
  * of them, so that a page that fails leaves none. */
 #include "results.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "cases.h"
 #include "studies/runs/must.h"
+#include "studies/runs/run_row.h"
 #include "studies/select.h"
 
 /* A file that the page writes, or a table that it has read. */
@@ -146,36 +146,6 @@ int results_tables(const Study *study, const char *dir, bool quick, Fault *fault
 
 /* ---- Files of runs */
 
-/* Is every setting of the case in the row's params, as they are spelled there? */
-static bool has_settings(const char *params, const RunSpec *spec)
-{
-    for (int k = 0; k < spec->nset; k++) {
-        char text[80];
-        const int n = snprintf(text, sizeof text, "%s=%s", spec->set[k].name, spec->set[k].value);
-        if (strcmp(spec->set[k].name, "layout") == 0) continue;
-        if (strncmp(params, text, (size_t)n) != 0 || (params[n] && params[n] != ';')) return false;
-        params += n + (params[n] == ';');
-    }
-    return !*params;
-}
-
-static bool is_near(double a, double b)
-{
-    return fabs(a - b) <= 1e-9 * fabs(b);
-}
-
-/* Body-fitted particles are not quite as many as asked for. */
-static bool is_row_of(const Table *rows, int row, const Case *c)
-{
-    const double t_end = select_number(rows, row, "t_end");
-    return select_is(rows, row, "problem", c->spec.problem) &&
-           select_is(rows, row, "method", c->spec.method) &&
-           is_near(select_number(rows, row, "cells"), c->spec.cells) &&
-           (c->engine->dim > 1 || is_near(select_number(rows, row, "ppc"), c->spec.ppc)) &&
-           (t_end <= 0 || is_near(t_end, c->spec.t_end)) &&
-           has_settings(select_text(rows, row, "params"), &c->spec);
-}
-
 /* Rows stand in the order of cases; those of methods that were not asked for are left out. Returns
  * how many rows found their case. */
 static int match(struct ResultsOwn *own)
@@ -183,8 +153,11 @@ static int match(struct ResultsOwn *own)
     const Table *rows = own->rows;
     int row = 0;
     own->row = must(malloc(sizeof *own->row * ((size_t)own->cases.n + 1)));
-    for (int k = 0; k < own->cases.n; k++)
-        own->row[k] = row < rows->nrow && is_row_of(rows, row, &own->cases.list[k]) ? row++ : -1;
+    for (int k = 0; k < own->cases.n; k++) {
+        const Case *c = &own->cases.list[k];
+        const bool is_its = row < rows->nrow && run_row_is(rows, row, &c->spec, c->engine);
+        own->row[k] = is_its ? row++ : -1;
+    }
     return row;
 }
 

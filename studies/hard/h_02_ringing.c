@@ -11,6 +11,7 @@
  * splines and takes the slopes of v from the particles' gradients, and keeps it. */
 #include <math.h>
 #include "studies/tables/grades.h"
+#include "studies/tables/variants.h"
 
 enum { STEPS = 1500, VARIANTS = 3 };
 enum { PLACES = 20, COARSE = 8, LONG = 6000 }; /* offsets; cells and steps of GE-WLS there */
@@ -18,16 +19,9 @@ static const int shown[] = {0,  1,   2,   3,   5,   7,   10,  15,   20,   30,  5
                             70, 100, 150, 200, 300, 500, 700, 1000, 1200, 1500};
 enum { SHOWN = sizeof shown / sizeof *shown };
 
-/* Variants: the defaults of the method; its filter at order 1, which is PIC; return=spline. */
-static const struct {
-    const char *name, *param;
-} variants[VARIANTS] = {{"usual", NULL}, {"order=1", "order"}, {"return=spline", "return"}};
-
-static bool takes(const Engine *e, const Info *method, int variant)
-{
-    return engine_has_grid(e, method->name) &&
-           (!variants[variant].param || info_param_find(method->params, variants[variant].param));
-}
+/* Order 1 of a method's filter is PIC. */
+static const Variant variants[VARIANTS] = {
+    {"usual", ""}, {"order=1", "order=1"}, {"return=spline", "return=spline"}};
 
 static const char *part_name(const char *method, int dim, int variant)
 {
@@ -39,7 +33,7 @@ static const char *place_name(int dim, int place)
     return phrase("place.%d.%d", dim, place);
 }
 
-static void add_places(Cases *list, bool quick)
+static void cases(Cases *list, bool quick)
 {
     for (int dim = 1; dim <= 2; dim++)
         for (int k = 0; k < (quick ? 1 : PLACES); k++)
@@ -48,21 +42,16 @@ static void add_places(Cases *list, bool quick)
                           "--set offset_x=%.2f --set offset_y=0.3 --t-end %.17g",
                           COARSE, dim, k / (double)PLACES,
                           (quick ? 10 : LONG) * BLOCK_CFL / (COARSE * BLOCK_SPEED));
-}
-
-static void cases(Cases *list, bool quick)
-{
-    add_places(list, quick);
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
-        EACH_METHOD(m, *e)
+        EACH_GRID_METHOD(m, *e)
             for (int v = 0; v < VARIANTS; v++) {
-                const int cells = (*e)->dim == 1 ? 128 : 16, steps = quick ? 10 : STEPS;
-                if (!takes(*e, m, v)) continue;
-                case_add_with(list, "history", part_name(m->name, (*e)->dim, v),
-                              "run block --method %s --cells %d --set dim=%d --set ripple=1e-4 "
-                              "--set offset_x=0.3 --set offset_y=0.2 --t-end %.17g%s%s",
-                              m->name, cells, (*e)->dim, steps * BLOCK_CFL / (cells * BLOCK_SPEED),
-                              v ? " --set " : "", v ? variants[v].name : "");
+                const int dim = (*e)->dim, cells = dim == 1 ? 128 : 16, steps = quick ? 10 : STEPS;
+                const char *run = variant_run(
+                    &variants[v],
+                    "run block --method %s --cells %d --set dim=%d --set ripple=1e-4 --set "
+                    "offset_x=0.3 --set offset_y=0.2 --t-end %.17g",
+                    m->name, cells, dim, steps * BLOCK_CFL / (cells * BLOCK_SPEED));
+                if (run) case_add_with(list, "history", part_name(m->name, dim, v), "%s", run);
             }
 }
 
@@ -83,9 +72,7 @@ static void write_places(FILE *f, const Results *r)
     for (int dim = 1; dim <= 2; dim++)
         for (int k = 0; k < PLACES; k++) {
             const Table *t = results_ended(r, "%s", place_name(dim, k));
-            double most = 0;
-            for (int row = 0; row < t->nrow; row++)
-                most = measure_worse(most, select_number(t, row, "kinetic"));
+            const double most = select_largest(t, "kinetic", 1).value;
             if (t->nrow > 0)
                 fprintf(f, "%d,%.2f,%.10g,%s\n", dim, k / (double)PLACES,
                         sqrt(most / select_number(t, 0, "kinetic")),
@@ -120,12 +107,12 @@ static Measure last_left(const Table *t, const char *methods, int variant)
     EACH_WORD(m, methods)
         for (int dim = 1; dim <= 2; dim++) {
             const char *where = "method=%s dim=%d variant=%s", *which = variants[variant].name;
-            Measure last = measure_sum_of(1);
-            EACH_ROW(row, t, where, m, dim, which)
-                last = measure(select_number(t, row, "kept"), 1, 1);
-            const bool kept = select_value(t, "kept", where, m, dim, which).rows > 0;
-            if (!kept && !(last.value > 1.1)) last = measure(NAN, 0, 1);
-            out = measure_max(out, last);
+            double last = NAN;
+            EACH_ROW(row, t, where, m, dim, which) {
+                last = select_number(t, row, "kept");
+                if (select_is_lost(t, row) && last <= 1.1) last = NAN;
+            }
+            out = measure_max(out, measure(last, !isnan(last), 1));
         }
     return out;
 }
@@ -144,7 +131,7 @@ static void write_grades(FILE *f, FILE *g, const Table *t)
                               : "%.2g of it left after %d steps",
                   usual, STEPS);
         for (int v = 1; v < VARIANTS; v++)
-            if (takes(&engine_2d, m, v))
+            if (select_next(t, -1, "method=%s dim=2 variant=%s", m->name, variants[v].name) >= 0)
                 grade_remedy_add(g, "H-2", m->name, variants[v].name, mark_kept(usual),
                                  mark_kept(last_left(t, m->name, v).value), "");
     }
@@ -155,8 +142,7 @@ static void tables(const Results *r)
     FILE *f = results_write(r, "kept", "method,dim,variant,step,kept,status");
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         EACH_METHOD(m, *e)
-            for (int v = 0; v < VARIANTS; v++)
-                if (takes(*e, m, v)) write_one(f, r, m->name, (*e)->dim, v);
+            for (int v = 0; v < VARIANTS; v++) write_one(f, r, m->name, (*e)->dim, v);
     write_places(results_write(r, "places", "dim,offset_x,most,status"), r);
     write_grades(grades_write(r), grades_write_remedies(r), results_part(r, "kept"));
 }
@@ -180,8 +166,7 @@ static void check_methods(Check *c, const Table *t)
                   "mode neither decays nor grows: most amplitude at the end",
                   last_left(t, "wls wls2", 0), 0.9, 1.1, 1.1, 1e6,
                   "it grows, 276-fold at most, by itself where the block is off the grid's lines; "
-                  "less so, or not at "
-                  "all, if returned through splines, as it was fitted");
+                  "less so, or not at all, if returned through splines, as it was fitted");
     claim(c, "H-2.wls-spline",
           "WLS with return=spline keeps the invisible velocity mode without growth: most amplitude "
           "left",
@@ -195,8 +180,10 @@ static void check_methods(Check *c, const Table *t)
           left(t, "ge_wls", 1, 0).most, 0.9, 1.1);
 }
 
-static void check_places(Check *c, const Table *t)
+static void check(Check *c, const Results *r)
 {
+    const Table *t = results_part(r, "places");
+    check_methods(c, results_part(r, "kept"));
     claim(c, "H-2.ge_wls-places",
           "GE-WLS, bar of 8 cells at 20 offsets from the grid: most amplitude of the invisible "
           "mode in 6000 steps",
@@ -207,12 +194,6 @@ static void check_places(Check *c, const Table *t)
                   select_max(t, "most", PLACES, "dim=2"), 0.9, 1.1, 1.1, 1.5,
                   "it grows by up to a quarter, and by more than a tenth at 11 offsets of 20, on "
                   "this coarse mesh; on 16 x 16 cells it had not grown after 1500 steps");
-}
-
-static void check(Check *c, const Results *r)
-{
-    check_methods(c, results_part(r, "kept"));
-    check_places(c, results_part(r, "places"));
 }
 
 const StudyPage study_h_02_ringing = {

@@ -9,82 +9,64 @@
  *
  * A method may have the right strain in particles that share no node any more. Therefore a second
  * set of runs starts from the fully stretched bar in equilibrium, where nodal forces inside must
- * vanish (as in h_01_translation.c). A force of sigma A F/n, the full contribution of one particle,
- * means that this particle shares no node with its neighbours. */
+ * vanish (block_nodes.h). A force of sigma A F/n, the full contribution of one particle, means
+ * that this particle shares no node with its neighbours. */
 #include <math.h>
-#include <string.h>
-#include "studies/runs/run_args.h"
+#include "studies/tables/block_nodes.h"
 #include "studies/tables/grades.h"
+#include "studies/tables/variants.h"
 
 enum { KINDS = 3, VARIANTS = 2, EVERY = 4 };
-#define RATE  0.5 /* [c/m] */
-#define MOST  4.0 /* stretch */
-#define WRONG 0.1
+static const double rate = 0.5 /* [c/m] */, longest = 4 /* stretch */, wrong = 0.1;
 
+/* Bodies, and between which stretches tents lose the stress: `tears` and twice that. */
 static const struct {
     const char *name;
     const Engine *engine;
-    int cells, ppc, per_axis;
-} kinds[KINDS] = {{"bar1", &engine_1d, 40, 1, 1},
-                  {"bar2", &engine_1d, 40, 2, 2},
-                  {"plane", &engine_2d, 16, 4, 2}};
-static const struct {
-    const char *name, *setting;
-} variants[VARIANTS] = {{"usual", ""}, {"undeformed", " --set domain=undeformed"}};
+    int cells, ppc, tears;
+    const char *claim, *about;
+} kinds[KINDS] = {
+    {"bar1", &engine_1d, 40, 1, 1, "H-3.tent-1", "bar, tents, one particle per cell"},
+    {"bar2", &engine_1d, 40, 2, 2, "H-3.tent-2", "bar, tents, two particles per cell"},
+    {"plane", &engine_2d, 16, 4, 2, "H-3.tent-plane", "plate, tents, two particles per axis"}};
+static const Variant variants[VARIANTS] = {{"usual", ""}, {"undeformed", "domain=undeformed"}};
 
-static const char *part_name(const char *method, int kind, int variant)
+static const char *part_name(const char *method, int kind, const char *what)
 {
-    return phrase("%s.%s.%s", method, kinds[kind].name, variants[variant].name);
-}
-
-static const char *force_name(const char *method, int kind)
-{
-    return phrase("%s.%s.force", method, kinds[kind].name);
-}
-
-/* After a step from rest the nodes of a stretched bar have v = f/m dt. */
-static void add_forces(Cases *list, const char *method, int kind)
-{
-    case_add_with(list, "nodes", force_name(method, kind),
-                  "run block --method %s --cells %d --ppc %d --integrator usl --set dim=1 --set "
-                  "stretch=%g --set box=6 --set offset_x=0.3 --set steps=1 --set allow_unstable=1",
-                  method, kinds[kind].cells, kinds[kind].ppc, MOST);
+    return phrase("%s.%s.%s", method, kinds[kind].name, what);
 }
 
 static void cases(Cases *list, bool quick)
 {
     for (int k = quick ? 1 : 0; k < (quick ? 2 : KINDS); k++)
-        EACH_METHOD(m, kinds[k].engine)
+        EACH_METHOD(m, kinds[k].engine) {
+            const int dim = kinds[k].engine->dim, cells = kinds[k].cells, ppc = kinds[k].ppc;
+            const double dt = BLOCK_CFL / (cells * BLOCK_SPEED);
+            const double steps = ceil(log(longest) / log(1 + rate * BLOCK_SPEED * dt));
             for (int v = 0; v < VARIANTS; v++) {
-                const double dt = BLOCK_CFL / (kinds[k].cells * BLOCK_SPEED);
-                const double growth = log(1 + RATE * BLOCK_SPEED * dt);
-                const char *text =
-                    phrase("run block --method %s --cells %d --ppc %d --set dim=%d --set rate=%g "
-                           "--set box=6 --t-end %.17g%s",
-                           m->name, kinds[k].cells, kinds[k].ppc, kinds[k].engine->dim, RATE,
-                           ceil(log(MOST) / growth) * dt, variants[v].setting);
-                if (v > 0 &&
-                    (!engine_has_grid(kinds[k].engine, m->name) || !run_args_is_run("%s", text)))
-                    continue;
-                case_add_with(list, "history", part_name(m->name, k, v), "%s", text);
-                if (v == 0 && kinds[k].engine->dim == 1) add_forces(list, m->name, k);
+                const char *name = part_name(m->name, k, variants[v].name);
+                const char *run = variant_run(
+                    &variants[v],
+                    "run block --method %s --cells %d --ppc %d --set dim=%d --set rate=%g --set "
+                    "box=6 --t-end %.17g",
+                    m->name, cells, ppc, dim, rate, steps * dt);
+                if (run) case_add_with(list, "history", name, "%s", run);
+                if (v == 0 && dim == 1)
+                    case_add_with(list, "nodes", part_name(m->name, k, "force"),
+                                  "run block --method %s --cells %d --ppc %d --integrator usl "
+                                  "--set dim=1 --set stretch=%g --set box=6 --set offset_x=0.3 "
+                                  "--set steps=1 --set allow_unstable=1",
+                                  m->name, cells, ppc, longest);
             }
+        }
 }
 
-/* Largest force in the inner half of the bar over sigma A, A = 1 and E = 1e4; NAN if there is none.
- * Forces are those before the step, so that a run that is lost in it (status) has them, too. */
-static double force_inside(const Results *r, const char *method, int kind, const char **status)
+/* Largest force in the inner half of the bar at rest over sigma A; NAN if there is none. Forces are
+ * those before the step, so that a run that is lost in it has them, too. */
+static double force_inside(const Results *r, const char *method, int kind)
 {
-    const double dt = BLOCK_CFL / (kinds[kind].cells * BLOCK_SPEED);
-    const double stress = 0.5e4 * (MOST - 1 / MOST);
-    *status = results_status(r, force_name(method, kind));
-    const Table *t = results_ended(r, "%s", force_name(method, kind));
-    double most = -INFINITY;
-    for (int k = 0; strcmp(*status, "absent") && k < t->nrow; k++) {
-        const double f = select_number(t, k, "mass") * select_number(t, k, "vx") / (dt * stress);
-        if (fabs(select_number(t, k, "x") - 3) < MOST / 4) most = measure_worse(most, fabs(f));
-    }
-    return isinf(most) ? NAN : most;
+    const BlockNodes bar = {1, kinds[kind].cells, 6, NULL, longest, 0, 0, 0.25};
+    return block_nodes_largest(&bar, results_ended(r, "%s", part_name(method, kind, "force")));
 }
 
 static double law(double F)
@@ -92,67 +74,46 @@ static double law(double F)
     return F - 1 / F;
 }
 
-/* One run: its curve, and where it went wrong. */
-static void write_one(FILE *curve, FILE *onset, const Table *t, const char *head,
-                      const char *status, double force, const char *force_status)
+/* One run: its curve, where it went wrong, and the force inside the bar at rest. */
+static void write_one(FILE *curve, FILE *onset, const Results *r, const char *method, int k, int v)
 {
+    const char *part = part_name(method, k, variants[v].name);
+    const char *head = phrase("%s,%s,%s", kinds[k].name, method, variants[v].name);
+    const char *at_rest = v ? "absent" : results_status(r, part_name(method, k, "force"));
+    const double force = select_is_word("ok lost", at_rest) ? force_inside(r, method, k) : NAN;
+    const Table *t = results_ended(r, "%s", part);
+    if (t->nrow < 2) return;
     const double dt = select_number(t, 1, "t"), V0 = select_number(t, 0, "volume");
     double lost = NAN, F = 1, ratio = 1;
-    for (int k = 1; k < t->nrow; k++) {
-        F = pow(1 + RATE * BLOCK_SPEED * dt, k);
-        ratio = law(select_number(t, k, "volume") / V0) / law(F);
-        if (isnan(lost) && F > 1.2 && !(fabs(ratio - 1) <= WRONG)) lost = F;
-        if (k % EVERY == 0 || k + 1 == t->nrow) fprintf(curve, "%s,%.6g,%.10g\n", head, F, ratio);
+    for (int i = 1; i < t->nrow; i++) {
+        F = pow(1 + rate * BLOCK_SPEED * dt, i);
+        ratio = law(select_number(t, i, "volume") / V0) / law(F);
+        if (isnan(lost) && F > 1.2 && !(fabs(ratio - 1) <= wrong)) lost = F;
+        if (i % EVERY == 0 || i + 1 == t->nrow) fprintf(curve, "%s,%.6g,%.10g\n", head, F, ratio);
     }
-    fprintf(onset, "%s,%.6g,", head, F);
-    if (!isnan(lost)) fprintf(onset, "%.6g", lost);
-    fprintf(onset, ",%.10g,", fabs(ratio - 1));
-    if (!isnan(force)) fprintf(onset, "%.10g", force);
-    fprintf(onset, ",%s,%s\n", status, force_status);
-}
-
-static void write_all(FILE *curve, FILE *onset, const Results *r)
-{
-    for (int k = 0; k < KINDS; k++)
-        EACH_METHOD(m, kinds[k].engine)
-            for (int v = 0; v < VARIANTS; v++) {
-                const char *part = part_name(m->name, k, v);
-                const Table *t = results_ended(r, "%s", part);
-                const char *status = "absent";
-                const double force = v ? NAN : force_inside(r, m->name, k, &status);
-                if (t->nrow > 1)
-                    write_one(curve, onset, t,
-                              phrase("%s,%s,%s", kinds[k].name, m->name, variants[v].name),
-                              results_status(r, part), force, status);
-            }
+    fprintf(onset, "%s,%.6g,%s,%.10g,%s,%s,%s\n", head, F, isnan(lost) ? "" : phrase("%.6g", lost),
+            fabs(ratio - 1), isnan(force) ? "" : phrase("%.10g", force), results_status(r, part),
+            at_rest);
 }
 
 static void write_marks(FILE *f, const Table *t)
 {
-    EACH_METHOD(m, &engine_2d) {
-        const double force = fmax(select_ended(t, "force", "method=%s kind=bar1", m->name).value,
-                                  select_ended(t, "force", "method=%s kind=bar2", m->name).value);
-        double first = INFINITY;
-        int ran = 0;
-        for (int k = 0; k < KINDS; k++) {
-            const char *where = "method=%s kind=%s variant=usual";
-            const double at = select_ended(t, "onset", where, m->name, kinds[k].name).value;
-            const double end = select_ended(t, "reached", where, m->name, kinds[k].name).value;
-            ran += !isnan(end);
-            if (end < 0.99 * MOST) first = fmin(first, end);
-            if (at < first) first = at;
+    EACH_METHOD_OF(m, &engine_2d, t) {
+        double force = NAN, first = INFINITY;
+        EACH_ROW(row, t, "method=%s variant=usual", m->name) {
+            const double end = select_number(t, row, "reached");
+            force = fmax(force, select_number(t, row, "force"));
+            first = fmin(first, select_number(t, row, "onset"));
+            if (end < 0.99 * longest) first = fmin(first, end);
         }
-        if (ran == 0) continue; /* in a quick run */
-        grade_add(f, "H-3", m->name,
-                  !isinf(first)   ? MARK_LOST
-                  : force > WRONG ? MARK_WEAK
-                                  : MARK_OK,
-                  !isinf(first) ? "stress lost at a stretch of %.2g (worst of three)"
-                  : force > WRONG
-                      ? "stress is known to four times the length, but not carried: forces "
-                        "up to %.2g of sigma A inside"
+        const Mark mark = first < INFINITY ? MARK_LOST : force > wrong ? MARK_WEAK : MARK_OK;
+        grade_add(f, "H-3", m->name, mark,
+                  mark == MARK_LOST ? "stress lost at a stretch of %.2g (worst of three)"
+                  : mark == MARK_WEAK
+                      ? "stress is known to four times the length, but not carried: forces up to "
+                        "%.2g of sigma A inside"
                       : "carries stress to four times its length",
-                  isinf(first) ? force : first);
+                  mark == MARK_LOST ? first : force);
     }
 }
 
@@ -161,14 +122,15 @@ static void tables(const Results *r)
     FILE *curve = results_write(r, "curves", "kind,method,variant,stretch,ratio");
     FILE *onset = results_write(
         r, "onset", "kind,method,variant,reached,onset,error,force,status,force_status");
-    write_all(curve, onset, r);
+    for (int k = 0; k < KINDS; k++)
+        EACH_METHOD(m, kinds[k].engine)
+            for (int v = 0; v < VARIANTS; v++) write_one(curve, onset, r, m->name, k, v);
     write_marks(grades_write(r), results_part(r, "onset"));
 }
 
-static Measure onset(const Table *t, const char *method, int kind, const char *variant)
+static Measure onset(const Table *t, const char *method, const char *kind, const char *variant)
 {
-    return select_value(t, "onset", "method=%s kind=%s variant=%s", method, kinds[kind].name,
-                        variant);
+    return select_value(t, "onset", "method=%s kind=%s variant=%s", method, kind, variant);
 }
 
 /* Distance from a particle [cells] at which its weight, a quadratic spline's, is the trigger
@@ -181,12 +143,12 @@ static double good_within(const char *method)
 
 static void check_wls(Check *c, const Table *t)
 {
-    const Measure wls2 = onset(t, "wls2", 0, "usual");
+    const Measure wls2 = onset(t, "wls2", "bar1", "usual");
     const double d = good_within("wls2");
     claim(c, "H-3.wls",
           "Stretched bar: WLS keeps the stress until no particle is within its trigger weight: "
           "stretch at which stress is lost, over the stretch so predicted",
-          measure_times(onset(t, "wls", 0, "usual"), 1 / (2 * good_within("wls"))), 0.9, 1.3);
+          measure_times(onset(t, "wls", "bar1", "usual"), 1 / (2 * good_within("wls"))), 0.9, 1.3);
     claim_differs(
         c, "H-3.wls2",
         "Stretched bar: WLS2 keeps the stress until no particle is within its larger trigger "
@@ -203,40 +165,34 @@ static void check_wls(Check *c, const Table *t)
 static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "onset");
-    claim(
-        c, "H-3.tent-1",
-        "Stretched bar, tents, one particle per cell: stress is lost at a stretch between 1 and 2",
-        onset(t, "mpm", 0, "usual"), 1, 2);
-    claim(
-        c, "H-3.tent-2",
-        "Stretched bar, tents, two particles per cell: stress is lost at a stretch between 2 and 4",
-        onset(t, "mpm", 1, "usual"), 2, 4);
-    claim(c, "H-3.tent-plane",
-          "Stretched plate, tents, two particles per axis: stress is lost at a stretch between 2 "
-          "and 4",
-          onset(t, "mpm", 2, "usual"), 2, 4);
+    for (int k = 0; k < KINDS; k++)
+        claim(c, kinds[k].claim,
+              phrase("Stretched %s: stress is lost at a stretch between %d and %d", kinds[k].about,
+                     kinds[k].tears, 2 * kinds[k].tears),
+              onset(t, "mpm", kinds[k].name, "usual"), kinds[k].tears, 2 * kinds[k].tears);
     claim(c, "H-3.gimp",
           "Stretched bodies: GIMP with exactly convolved boxes that follow F carries stress to a "
           "stretch of 4: relative error of stress there, worst of three bodies",
-          curve_worst(t, "gimp", KINDS, "error", "variant=usual"), 0, WRONG);
+          curve_worst(t, "gimp", KINDS, "error", "variant=usual"), 0, wrong);
     claim(c, "H-3.ugimp",
           "Stretched bar: GIMP with boxes that keep their size loses stress later than tents: its "
           "stretch there over MPM's",
-          measure_ratio(onset(t, "gimp", 0, "undeformed"), onset(t, "mpm", 0, "usual")), 1, 2);
+          measure_ratio(onset(t, "gimp", "bar1", "undeformed"), onset(t, "mpm", "bar1", "usual")),
+          1, 2);
     claim(c, "H-3.carried",
           "Stretched bodies: GE-MPM, GE-GIMP, APIC, TPIC, whose particles give the grid their "
           "gradients, keep the stress: largest relative error at a stretch of 4",
-          curve_worst(t, "ge_mpm ge_gimp apic tpic", KINDS, "error", "variant=usual"), 0, WRONG);
+          curve_worst(t, "ge_mpm ge_gimp apic tpic", KINDS, "error", "variant=usual"), 0, wrong);
     /* The force is of a run of its own: the status of the stretched one does not matter. */
     claim(c, "H-3.pieces",
           "Tents leave the stretched bar in pieces even with gradients: force inside at a stretch "
           "of 4 over sigma A F/n, n = 1",
-          measure_times(select_ended(t, "force", "method=ge_mpm kind=bar1"), 1 / MOST), 0.99, 1.01);
+          measure_times(select_ended(t, "force", "method=ge_mpm kind=bar1"), 1 / longest), 0.99,
+          1.01);
     claim(c, "H-3.gimp-carries",
           "GIMP and GE-GIMP transmit the force of the bar stretched to 4: largest unbalanced force "
           "inside over sigma A",
-          curve_worst(t, "gimp ge_gimp", 1, "force", "kind=bar1 variant=usual force_status=ok"), 0,
-          WRONG);
+          curve_worst(t, "gimp ge_gimp", 1, "force", "kind=bar1 force_status=ok"), 0, wrong);
     check_wls(c, t);
 }
 

@@ -10,34 +10,33 @@
  * spacings along each axis (3 x 3 particles; FEM: elements of some 3 x 3 quads), over a shear
  * stress of the scene, pi mu A or .01 E. */
 #include <math.h>
-#include <stdlib.h>
 #include "studies/tables/grades.h"
-#include "studies/runs/must.h"
+#include "studies/tables/masses.h"
 
 enum { RATIOS = 4, SCENES = 2, PLATE = 0, BEAM = 1, COARSE = 4, FINE = 32 };
-static const char *const nus[RATIOS] = {"0.3", "0.45", "0.49", "0.499"};
+static const double nus[RATIOS] = {0.3, 0.45, 0.49, 0.499};
 static const char *const scenes[SCENES] = {"plate_vibration", "cantilever"};
 static const int reaching[SCENES] = {13, 9}; /* particle methods that reach the end at nu = .499 */
 static const double amplitude = 1e-4, plate_E = 1000, beam_E = 1e4; /* [m] [Pa] [Pa] */
 
 /* [Pa] of the plate, rho = 1. */
-static double shear_modulus(const char *nu)
+static double shear_modulus(double nu)
 {
-    return plate_E / (2 * (1 + strtod(nu, NULL)));
+    return plate_E / (2 * (1 + nu));
 }
 
-static const char *part_name(int scene, const char *method, int cells, const char *nu)
+static const char *part_name(int scene, const char *method, int cells, double nu)
 {
-    return phrase("%s.%s.%d.%s", scenes[scene], method, cells, nu);
+    return phrase("%s.%s.%d.%g", scenes[scene], method, cells, nu);
 }
 
-static void add(Cases *list, int scene, const char *method, int cells, const char *nu)
+static void add(Cases *list, int scene, const char *method, int cells, double nu)
 {
     const char *plate = scene != PLATE ? ""
                                        : phrase(" --set A=%g --t-end %.17g", amplitude,
                                                 sqrt(2) / sqrt(shear_modulus(nu)) / 6);
     case_add_with(list, "samples", part_name(scene, method, cells, nu),
-                  "run %s --method %s --cells %d --set nu=%s%s", scenes[scene], method, cells, nu,
+                  "run %s --method %s --cells %d --set nu=%g%s", scenes[scene], method, cells, nu,
                   plate);
 }
 
@@ -53,105 +52,58 @@ static void cases(Cases *list, bool quick)
     }
 }
 
-/* Samples with mass: reference positions, displacements [m], masses [kg], pressures [Pa]. */
-typedef struct Cloud {
-    int n;
-    double *X, *Y, *u, *v, *m, *p;
-} Cloud;
-
-static Cloud cloud_read(const Results *r, int scene, const char *method, int cells, const char *nu)
+static Masses samples_of(const Results *r, int scene, const char *method, int cells, double nu)
 {
-    const Table *t = results_run(r, "%s", part_name(scene, method, cells, nu));
-    const size_t room = (size_t)t->nrow + 1;
-    Cloud c = {.X = must(calloc(6 * room, sizeof(double)))};
-    c.Y = c.X + room, c.u = c.Y + room, c.v = c.u + room, c.m = c.v + room, c.p = c.m + room;
-    for (int k = 0; k < t->nrow; k++) {
-        if (!(select_number(t, k, "mass") > 0)) continue;
-        c.X[c.n] = select_number(t, k, "X");
-        c.Y[c.n] = select_number(t, k, "Y");
-        c.u[c.n] = select_number(t, k, "x") - c.X[c.n];
-        c.v[c.n] = select_number(t, k, "y") - c.Y[c.n];
-        c.m[c.n] = select_number(t, k, "mass");
-        c.p[c.n] = -(select_number(t, k, "sxx") + select_number(t, k, "syy") +
-                     select_number(t, k, "szz")) /
-                   3;
-        c.n++;
-    }
-    return c;
+    return masses_read(results_run(r, "%s", part_name(scene, method, cells, nu)));
 }
 
 /* Amplitude of the shear mode (cos pi X sin pi Y, -sin pi X cos pi Y), over A cos(pi/3). */
-static double mode_ratio(const Cloud *c)
+static double mode_ratio(const Masses *all)
 {
     double sum = 0, square = 0;
-    for (int k = 0; k < c->n; k++) {
-        const double X = M_PI * c->X[k], Y = M_PI * c->Y[k];
+    for (const MassPoint *p = all->list; p < all->list + all->n; p++) {
+        const double X = M_PI * p->X[0], Y = M_PI * p->X[1];
         const double a = cos(X) * sin(Y), b = -sin(X) * cos(Y);
-        sum += c->m[k] * (a * c->u[k] + b * c->v[k]);
-        square += c->m[k] * (a * a + b * b);
+        sum += p->mass * (a * (p->x[0] - p->X[0]) + b * (p->x[1] - p->X[1]));
+        square += p->mass * (a * a + b * b);
     }
     return sum / square / (0.5 * amplitude);
 }
 
 /* Mean displacement [m] of the last quarter metre. */
-static double sinking(const Cloud *c)
+static double sinking(const Masses *all)
 {
     double sum = 0, mass = 0;
-    for (int k = 0; k < c->n; k++)
-        if (c->X[k] > 3.75) {
-            sum += c->m[k] * c->v[k];
-            mass += c->m[k];
-        }
+    for (const MassPoint *p = all->list; p < all->list + all->n; p++) {
+        if (p->X[0] <= 3.75) continue;
+        sum += p->mass * (p->x[1] - p->X[1]);
+        mass += p->mass;
+    }
     return sum / mass;
 }
 
-/* RMS of p - local mean; rho = 1 in both scenes, `share` samples make a square of `spacing`. */
-static double checkerboard(const Cloud *c, int share)
-{
-    double square = 0, mass = 0;
-    for (int k = 0; k < c->n; k++) {
-        const double reach = 1.5 * sqrt(share * c->m[k]);
-        double sum = 0, weight = 0;
-        for (int j = 0; j < c->n; j++) {
-            if (fabs(c->X[j] - c->X[k]) > reach || fabs(c->Y[j] - c->Y[k]) > reach) continue;
-            sum += c->m[j] * c->p[j];
-            weight += c->m[j];
-        }
-        square += c->m[k] * pow(c->p[k] - sum / weight, 2);
-        mass += c->m[k];
-    }
-    return sqrt(square / mass);
-}
-
-/* One line of NAME.locking.csv. */
+/* One line of NAME.locking.csv; of FEM's fine meshes none. */
 static void write_line(FILE *f, const Results *r, int row)
 {
-    const Table *rows = r->rows;
-    const char *method = select_text(rows, row, "method");
-    const int scene = select_is(rows, row, "problem", scenes[BEAM]);
-    const int cells = (int)select_number(rows, row, "cells");
-    const char *nu = NULL;
-    for (int k = 0; k < RATIOS; k++)
-        if (fabs(select_number(rows, row, "nu") - strtod(nus[k], NULL)) < 1e-9) nu = nus[k];
-    if (!nu || (scene == BEAM && cells != COARSE)) return;
-    Cloud c = cloud_read(r, scene, method, cells, nu);
-    Cloud fine = cloud_read(r, BEAM, "fem", FINE, nu);
-    if (!fine.n) { /* a quick look has a coarser one */
-        free(fine.X);
-        fine = cloud_read(r, BEAM, "fem", FINE / 4, nu);
-    }
-    const bool gone = select_is_lost(rows, row);
+    const char *method = select_text(r->rows, row, "method");
+    const int scene = select_is(r->rows, row, "problem", scenes[BEAM]);
+    const int cells = (int)select_number(r->rows, row, "cells");
+    const double nu = select_number(r->rows, row, "nu");
     const double scale = scene == PLATE ? M_PI * shear_modulus(nu) * amplitude : 0.01 * beam_E;
-    const int share = select_number(rows, row, "elements") > 0 ? 2 : 1;
-    fprintf(f, "%s,%s,%s,", scenes[scene], method, nu);
-    if (gone)
+    const int share = select_number(r->rows, row, "elements") > 0 ? 2 : 1;
+    if (scene == BEAM && cells != COARSE) return;
+    fprintf(f, "%s,%s,%g,", scenes[scene], method, nu);
+    if (select_is_lost(r->rows, row)) {
         fputs("lost,,\n", f);
-    else
-        fprintf(f, "ok,%.10g,%.10g\n",
-                scene == PLATE ? mode_ratio(&c) : sinking(&c) / sinking(&fine),
-                checkerboard(&c, share) / scale);
-    free(c.X);
-    free(fine.X);
+        return;
+    }
+    Masses all = samples_of(r, scene, method, cells, nu);
+    Masses fine = samples_of(r, BEAM, "fem", r->quick ? FINE / 4 : FINE, nu);
+    fprintf(f, "ok,%.10g,%.10g\n",
+            scene == PLATE ? mode_ratio(&all) : sinking(&all) / sinking(&fine),
+            masses_checkerboard(&all, share, 1.5) / scale);
+    masses_free(&all);
+    masses_free(&fine);
 }
 
 /* The cantilever at nu = .499: how far it bends beside the reference, within a tenth or a half. */
@@ -175,30 +127,23 @@ static void tables(const Results *r)
     write_marks(grades_write(r), results_part(r, "locking"));
 }
 
-static Measure value(const Table *t, int scene, const char *method, const char *nu,
-                     const char *what)
+static Measure value(const Table *t, int scene, const char *method, double nu, const char *what)
 {
-    return select_value(t, what, "problem=%s method=%s nu=%s", scenes[scene], method, nu);
+    return select_value(t, what, "problem=%s method=%s nu=%g", scenes[scene], method, nu);
 }
 
-/* A number at nu = .499 of a method that reaches the end there; false of one that does not. */
-static bool reached(const Table *t, int scene, const char *method, const char *what, double *out)
-{
-    *out = value(t, scene, method, "0.499", what).value;
-    return select_ended(t, "nu", "problem=%s method=%s nu=0.499 status=ok", scenes[scene], method)
-               .rows > 0;
-}
+static const char finished[] = "problem=%s nu=0.499 status=ok";
 
 /* How many methods that reach the end at nu = .499 (so many must) neither move 5 % less than they
  * should, nor have a checkerboard as large as the scene's shear stress. */
 static Measure escaping(const Table *t, int scene)
 {
     Measure n = measure_sum_of(reaching[scene] + 1);
-    double ratio, rough;
-    EACH_METHOD(m, &engine_2d)
-        if (reached(t, scene, m->name, "ratio", &ratio) &&
-            reached(t, scene, m->name, "checkerboard", &rough))
-            measure_add(&n, isnan(ratio + rough) ? NAN : ratio > 0.95 && rough < 1);
+    EACH_ROW(row, t, finished, scenes[scene]) {
+        const double ratio = select_number(t, row, "ratio");
+        const double rough = select_number(t, row, "checkerboard");
+        measure_add(&n, isnan(ratio + rough) ? NAN : ratio > 0.95 && rough < 1);
+    }
     return n;
 }
 
@@ -206,11 +151,11 @@ static Measure escaping(const Table *t, int scene)
  * aside. */
 static void extremes(const Table *t, int scene, Measure *ratio, Measure *rough)
 {
-    double x;
     *ratio = measure_min_of(reaching[scene]), *rough = measure_max_of(reaching[scene]);
-    EACH_GRID_METHOD(m, &engine_2d) {
-        if (reached(t, scene, m->name, "ratio", &x)) measure_add_min(ratio, x);
-        if (reached(t, scene, m->name, "checkerboard", &x)) measure_add_max(rough, x);
+    EACH_ROW(row, t, finished, scenes[scene]) {
+        if (!engine_has_grid(&engine_2d, select_text(t, row, "method"))) continue;
+        measure_add_min(ratio, select_number(t, row, "ratio"));
+        measure_add_max(rough, select_number(t, row, "checkerboard"));
     }
 }
 
@@ -228,27 +173,26 @@ static void check(Check *c, const Results *r)
     claim(c, "H-4.plate-worst",
           "Plate, nu = .499: linear triangles have the worst checkerboard: FEM's over the largest "
           "of the particle methods",
-          measure_ratio(value(t, PLATE, "fem", "0.499", "checkerboard"), rough), 1, 100);
+          measure_ratio(value(t, PLATE, "fem", 0.499, "checkerboard"), rough), 1, 100);
     extremes(t, BEAM, &ratio, &rough);
     claim(c, "H-4.beam-all",
           "Cantilever, nu = .499: every method that finishes locks or shows a checkerboard of "
-          "pressure: how many "
-          "do neither",
+          "pressure: how many do neither",
           escaping(t, BEAM), 0, 0);
     claim_differs(c, "H-4.beam-worst",
                   "Cantilever, nu = .499: linear triangles lock worst: FEM's displacement over the "
                   "least of the particle methods",
-                  measure_ratio(value(t, BEAM, "fem", "0.499", "ratio"), ratio), 0, 1, 1.2, 100,
+                  measure_ratio(value(t, BEAM, "fem", 0.499, "ratio"), ratio), 0, 1, 1.2, 100,
                   "triangles of alternating diagonals keep .83; tents over four particles per cell "
                   "keep least");
     claim(c, "H-4.beam-gimp",
           "Cantilever: GIMP locks: its displacement at nu = .499 over the reference's",
-          value(t, BEAM, "gimp", "0.499", "ratio"), 0, 0.95);
+          value(t, BEAM, "gimp", 0.499, "ratio"), 0, 0.95);
     claim(c, "H-4.beam-gimp-pressure",
           "Cantilever: GIMP's checkerboard of pressure grows with nu: at nu = .499 over that at nu "
           "= .3",
-          measure_ratio(value(t, BEAM, "gimp", "0.499", "checkerboard"),
-                        value(t, BEAM, "gimp", "0.3", "checkerboard")),
+          measure_ratio(value(t, BEAM, "gimp", 0.499, "checkerboard"),
+                        value(t, BEAM, "gimp", 0.3, "checkerboard")),
           10, INFINITY);
 }
 

@@ -40,16 +40,15 @@ static void cases(Cases *list, bool quick)
 static void write_points(FILE *f, const Table *rows)
 {
     for (int row = 0; row < rows->nrow; row++) {
-        const double jitter = select_number(rows, row, "jitter"),
-                     ppc = select_number(rows, row, "ppc");
+        const double jitter = select_number(rows, row, "jitter");
+        const double ppc = select_number(rows, row, "ppc");
         const int dim = select_is(rows, row, "problem", scenes[0].problem) ? 1 : 2;
-        fprintf(f, "%s,%s,%s,", isnan(jitter) ? "H-7" : "H-6", select_text(rows, row, "problem"),
-                select_text(rows, row, "method"));
-        if (isnan(jitter))
-            fprintf(f, ",%.4g,", round(pow(ppc, 1.0 / dim) * 4) / 4);
-        else
-            fprintf(f, "%g,%g,", select_number(rows, row, "grading"), jitter);
-        fprintf(f, "%s,%s,%s\n", select_text(rows, row, "error_linf"),
+        const double per_axis = round(pow(ppc, 1.0 / dim) * 4) / 4;
+        fprintf(f, "%s,%s,%s,%s,%s,%s,%s\n", isnan(jitter) ? "H-7" : "H-6",
+                select_text(rows, row, "problem"), select_text(rows, row, "method"),
+                isnan(jitter) ? phrase(",%.4g", per_axis)
+                              : phrase("%g,%g", select_number(rows, row, "grading"), jitter),
+                select_text(rows, row, "error_linf"),
                 select_is_lost(rows, row) ? select_text(rows, row, "status") : "ok",
                 select_text(rows, row, "fallbacks"));
     }
@@ -60,12 +59,10 @@ static Measure few_error(const Table *t, int scene, const char *method, double p
 {
     static const char where[] = "case=H-7 problem=%s method=%s x=%g";
     const char *problem = scenes[scene].problem;
-    const Measure there = select_ended(t, "x", where, problem, method, per_axis);
     const Measure error = select_value(t, "error", where, problem, method, per_axis);
-    if (error.rows || !there.rows) return error;
-    const Measure ok = select_ended(t, "x", "case=H-7 problem=%s method=%s x=%g status=ok", problem,
-                                    method, per_axis);
-    return measure_with(there, ok.rows ? NAN : INFINITY);
+    const int row = select_next(t, -1, where, problem, method, per_axis);
+    if (error.rows || row < 0) return error;
+    return measure(select_is_lost(t, row) ? INFINITY : NAN, 1, 1);
 }
 
 /* The fewest particles per axis from which on both scenes' errors stay below a tenth of the
@@ -74,9 +71,8 @@ static double fewest(const Table *t, const char *method)
 {
     double least = INFINITY;
     for (int k = FEW - 1; k >= 0; k--) {
-        if (!(measure_worse(few_error(t, 0, method, few[k]).value,
-                            few_error(t, 1, method, few[k]).value) < USABLE))
-            break;
+        const Measure bar = few_error(t, 0, method, few[k]), wave = few_error(t, 1, method, few[k]);
+        if (!(measure_worse(bar.value, wave.value) < USABLE)) break;
         least = few[k];
     }
     return least;
@@ -92,10 +88,7 @@ static void write_marks(FILE *f, const Table *t)
                   e <= 1e-12 ? "linear fields exact from any particles"
                              : "a linear field off by up to %.2g from jittered, graded particles",
                   e);
-        grade_add(f, "H-7", method,
-                  least <= 0.5   ? MARK_OK
-                  : least <= 1.5 ? MARK_WEAK
-                                 : MARK_LOST,
+        grade_add(f, "H-7", method, grade_mark_of(least, 0.5, 1.5),
                   isinf(least) ? "two particles per axis are not enough for an error below a tenth"
                                : "needs %.2g particles per axis for an error below a tenth",
                   least);
@@ -136,9 +129,9 @@ static void check(Check *c, const Results *r)
           "Axis-aligned displacement with half a particle per axis: too few for GIMP: its error "
           "over the amplitude",
           few_error(t, 1, "gimp", 0.5), 0.5, 3);
-    for (int m = 0; m < 2; m++)
+    EACH_WORD(m, "wls wls2")
         for (int k = 0; k < 2; k++) {
-            const double e = few_error(t, 1, m ? "wls2" : "wls", few[k]).value;
+            const double e = few_error(t, 1, m, few[k]).value;
             measure_add(&lost, isnan(e) ? NAN : isinf(e));
         }
     claim(c, "H-7.wls",

@@ -25,20 +25,15 @@ static void cases(Cases *list, bool quick)
 static void write_edges(FILE *f, const Table *rows)
 {
     for (int b = 0; b < BODIES; b++)
-        EACH_METHOD(m, &engine_2d) {
-            double h[MESHES], e[MESHES], fallbacks = 0;
-            const char *status = "ok";
-            int n = 0;
-            for (int row = -1; n < MESHES && (row = select_next(rows, row, "method=%s body=%s",
-                                                                m->name, bodies[b])) >= 0;) {
-                if (select_is_lost(rows, row)) status = select_text(rows, row, "status");
-                h[n] = select_number(rows, row, "h");
-                e[n++] = select_number(rows, row, "error_linf");
-                fallbacks = measure_worse(fallbacks, select_number(rows, row, "fallbacks"));
-            }
-            if (n > 0)
-                fprintf(f, "%s,%s,%s,%.10g,%.6g,%g,%d\n", bodies[b], m->name, status, e[n - 1],
-                        curve_slope(n, h, e), fallbacks, n);
+        EACH_METHOD_OF(m, &engine_2d, rows) {
+            const char *where = phrase("method=%s body=%s", m->name, bodies[b]);
+            const bool lost = select_count_lost(rows, 1, where).value > 0;
+            Curve c;
+            curve_pick(&c, rows, "h", "error_linf", "%s", where);
+            if (c.n > 0)
+                fprintf(f, "%s,%s,%s,%.10g,%.6g,%g,%d\n", bodies[b], m->name, lost ? "lost" : "ok",
+                        c.y[c.n - 1], curve_slope(c.n, c.x, c.y),
+                        select_max(rows, "fallbacks", 1, "%s", where).value, c.n);
         }
 }
 
@@ -75,12 +70,6 @@ static Measure order(const Table *t, const char *method)
     return select_value(t, "order", "method=%s body=block meshes=%d", method, MESHES);
 }
 
-/* Largest error of these methods in all four bodies on the finest mesh. */
-static Measure worst_error(const Table *t, const char *methods)
-{
-    return curve_worst(t, methods, BODIES, "error", "meshes=4");
-}
-
 static void check(Check *c, const Results *r)
 {
     const Table *t = results_part(r, "edges");
@@ -95,13 +84,13 @@ static void check(Check *c, const Results *r)
     claim(c, "H-10.ge",
           "GE-MPM, GE-GIMP, APIC, TPIC project a linear field exactly at edges of all four bodies: "
           "largest error",
-          worst_error(t, "ge_mpm ge_gimp apic tpic"), 0, 1e-12);
+          curve_worst(t, "ge_mpm ge_gimp apic tpic", BODIES, "error", "meshes=4"), 0, 1e-12);
     claim(c, "H-10.wls2",
           "WLS2 projects a linear field exactly at edges of all four bodies: largest error",
-          worst_error(t, "wls2"), 0, 1e-12);
+          curve_worst(t, "wls2", BODIES, "error", "meshes=4"), 0, 1e-12);
     claim_differs(c, "H-10.wls",
                   "WLS projects a linear field exactly at edges of all four bodies: largest error",
-                  worst_error(t, "wls"), 0, 1e-12, 1e-3, 0.1,
+                  curve_worst(t, "wls", BODIES, "error", "meshes=4"), 0, 1e-12, 1e-3, 0.1,
                   "off by .010: spurious nodes take a mean of their neighbours' velocities, which "
                   "is O(h) wrong; WLS2 extrapolates");
     claim(c, "H-10.wls-order",

@@ -6,8 +6,8 @@
  * this stays within 5 % (a larger gain has the status energy_growth), weak if it loses or gains
  * more (every method with damping loses more), and lost if the run is lost. */
 #include <math.h>
-#include <string.h>
 #include "studies/tables/grades.h"
+#include "studies/tables/variants.h"
 
 enum { SCENES = 2, MESHES = 2, VARIANTS = 2, EVERY = 20 };
 static const struct {
@@ -16,18 +16,11 @@ static const struct {
     int cells[MESHES];
 } scenes[SCENES] = {{"ring", 0.4, {16, 32}}, {"disk_impact", 20, {24, 48}}};
 static const char shown[] = "gimp bspline wls wls2 ge_wls";
-static const char *const variants[VARIANTS] = {"usual", "spline"};
-
-static bool is_shown(const char *method)
-{
-    EACH_WORD(m, shown)
-        if (strcmp(method, m) == 0) return true;
-    return false;
-}
+static const Variant variants[VARIANTS] = {{"usual", ""}, {"spline", "return=spline"}};
 
 static const char *part_name(int scene, const char *method, int variant)
 {
-    return phrase("%s.%s.%s", scenes[scene].problem, method, variants[variant]);
+    return phrase("%s.%s.%s", scenes[scene].problem, method, variants[variant].name);
 }
 
 /* Does it return through splines, by default or by this variant? */
@@ -45,14 +38,13 @@ static bool has_variant(const Info *method, int variant)
 
 static void add(Cases *list, int scene, const Info *method, int mesh, int variant, bool quick)
 {
-    const char *text =
-        phrase("run %s --method %s --cells %d --t-end %.17g%s", scenes[scene].problem, method->name,
-               scenes[scene].cells[mesh], scenes[scene].t_end * (quick ? 0.05 : 1),
-               variant ? " --set return=spline" : "");
-    if (mesh == MESHES - 1 && is_shown(method->name))
-        case_add_with(list, "history", part_name(scene, method->name, variant), "%s", text);
+    const char *run = variant_run(&variants[variant], "run %s --method %s --cells %d --t-end %.17g",
+                                  scenes[scene].problem, method->name, scenes[scene].cells[mesh],
+                                  scenes[scene].t_end * (quick ? 0.05 : 1));
+    if (mesh == MESHES - 1 && select_is_word(shown, method->name))
+        case_add_with(list, "history", part_name(scene, method->name, variant), "%s", run);
     else
-        case_add(list, "%s", text);
+        case_add(list, "%s", run);
 }
 
 static void cases(Cases *list, bool quick)
@@ -64,62 +56,54 @@ static void cases(Cases *list, bool quick)
                     if (has_variant(m, v)) add(list, s, m, k, v, quick);
 }
 
-/* A method on all meshes of a scene: the largest gain and loss of the ledger, and how many of n
- * runs were lost. */
-typedef struct Long {
-    double gain, loss;
-    int lost, n;
-} Long;
-
-static Long long_runs(const Table *rows, int scene, const Info *method, int variant)
+/* NAME.drift.csv: of a method on all meshes of a scene: how many of n runs were lost, the largest
+ * gain and loss of the ledger. */
+static void write_drift(FILE *f, const Table *rows, int scene, const Info *method, int variant)
 {
-    Long out = {-INFINITY, -INFINITY, 0, 0};
+    double gain = -INFINITY, loss = -INFINITY;
+    int lost = 0, n = 0;
     EACH_ROW(row, rows, "method=%s problem=%s", method->name, scenes[scene].problem) {
         const bool spline = select_meets(rows, row, "return=spline");
         const double drift = select_number(rows, row, "energy_drift");
         if (spline != is_spline(method, variant)) continue;
-        out.n++;
-        out.lost += select_is_lost(rows, row);
-        out.gain = measure_worse(out.gain, isnan(drift) ? INFINITY : drift);
-        out.loss = measure_worse(out.loss, isnan(drift) ? INFINITY : -drift);
+        n++;
+        lost += select_is_lost(rows, row);
+        gain = measure_worse(gain, isnan(drift) ? INFINITY : drift);
+        loss = measure_worse(loss, isnan(drift) ? INFINITY : -drift);
     }
-    return out;
+    if (n > 0)
+        fprintf(f, "%s,%s,%s,%d,%.10g,%.10g,%d,%s\n", scenes[scene].problem, method->name,
+                variants[variant].name, lost, gain, loss, n, lost ? "lost" : "ok");
 }
 
-static Mark mark_long(Long l)
+/* The largest gain or loss in both scenes; NAN if a run was lost. */
+static double worst(const Table *t, const char *column, const char *method, int variant)
 {
-    return l.lost || l.n == 0
-               ? MARK_LOST
-               : grade_mark_of(measure_worse(l.gain, l.loss), ENGINE_GROWTH, INFINITY);
+    return select_max(t, column, 1, "method=%s variant=%s", method, variants[variant].name).value;
 }
 
-/* NAME.drift.csv: problem,method,variant,lost,gain,loss,runs,status. */
-static void write_one(FILE *drift, FILE *grades, FILE *remedies, const Table *rows,
-                      const Info *method)
+static Mark mark_of(const Table *t, const char *method, int variant)
 {
-    Mark marks[VARIANTS] = {MARK_OK, MARK_OK};
-    Long worst = {-INFINITY, -INFINITY, 0, 0};
-    for (int s = 0; s < SCENES; s++)
-        for (int v = 0; v < VARIANTS; v++) {
-            const Long l = long_runs(rows, s, method, v);
-            if (!has_variant(method, v)) continue;
-            const Mark m = mark_long(l);
-            if (m > marks[v]) marks[v] = m;
-            fprintf(drift, "%s,%s,%s,%d,%.10g,%.10g,%d,%s\n", scenes[s].problem, method->name,
-                    variants[v], l.lost, l.gain, l.loss, l.n, l.lost ? "lost" : "ok");
-            if (v) continue;
-            worst.gain = measure_worse(worst.gain, l.gain);
-            worst.loss = measure_worse(worst.loss, l.loss);
-            worst.lost += l.lost;
-        }
-    if (worst.lost)
-        grade_add(grades, "H-13", method->name, marks[0], "%d of four long runs lost", worst.lost);
-    else
-        grade_add(grades, "H-13", method->name, marks[0],
-                  "energy from %+.0f to %+.0f %% after twenty periods, ten impacts",
-                  -100 * worst.loss, 100 * worst.gain);
-    if (has_variant(method, 1))
-        grade_remedy_add(remedies, "H-13", method->name, "return=spline", marks[0], marks[1], "");
+    const double gain = worst(t, "gain", method, variant), loss = worst(t, "loss", method, variant);
+    return grade_mark_of(measure_worse(gain, loss), ENGINE_GROWTH, INFINITY);
+}
+
+static void write_marks(FILE *f, FILE *remedies, const Table *t)
+{
+    EACH_METHOD_OF(m, &engine_2d, t) {
+        const Mark usual = mark_of(t, m->name, 0);
+        double lost = 0;
+        EACH_ROW(row, t, "method=%s variant=usual", m->name) lost += select_number(t, row, "lost");
+        if (usual == MARK_LOST)
+            grade_add(f, "H-13", m->name, usual, "%.0f of four long runs lost", lost);
+        else
+            grade_add(f, "H-13", m->name, usual,
+                      "energy from %+.0f to %+.0f %% after twenty periods, ten impacts",
+                      -100 * worst(t, "loss", m->name, 0), 100 * worst(t, "gain", m->name, 0));
+        if (has_variant(m, 1))
+            grade_remedy_add(remedies, "H-13", m->name, variants[1].setting, usual,
+                             mark_of(t, m->name, 1), "");
+    }
 }
 
 /* NAME.ledger.csv: problem,method,variant,t,ledger: every so many instants of the histories. */
@@ -129,11 +113,9 @@ static void write_ledger(FILE *f, const Results *r)
         EACH_WORD(m, shown)
             for (int v = 0; v < VARIANTS; v++) {
                 const Table *t = results_ended(r, "%s", part_name(s, m, v));
-                double most = 0;
-                for (int k = 0; k < t->nrow; k++)
-                    most = measure_worse(most, select_number(t, k, "total"));
+                const double most = select_largest(t, "total", 1).value;
                 for (int k = 0; k < t->nrow; k += EVERY)
-                    fprintf(f, "%s,%s,%s,%.6g,%.6g\n", scenes[s].problem, m, variants[v],
+                    fprintf(f, "%s,%s,%s,%.6g,%.6g\n", scenes[s].problem, m, variants[v].name,
                             select_number(t, k, "t"),
                             (select_number(t, k, "total") - select_number(t, k, "external_work") -
                              select_number(t, 0, "total")) /
@@ -144,10 +126,12 @@ static void write_ledger(FILE *f, const Results *r)
 static void tables(const Results *r)
 {
     FILE *drift = results_write(r, "drift", "problem,method,variant,lost,gain,loss,runs,status");
-    FILE *grades = grades_write(r), *remedies = grades_write_remedies(r);
-    write_ledger(results_write(r, "ledger", "problem,method,variant,t,ledger"), r);
     EACH_METHOD(m, &engine_2d)
-        if (long_runs(r->rows, 0, m, 0).n > 0) write_one(drift, grades, remedies, r->rows, m);
+        for (int s = 0; s < SCENES; s++)
+            for (int v = 0; v < VARIANTS; v++)
+                if (has_variant(m, v)) write_drift(drift, r->rows, s, m, v);
+    write_ledger(results_write(r, "ledger", "problem,method,variant,t,ledger"), r);
+    write_marks(grades_write(r), grades_write_remedies(r), results_part(r, "drift"));
 }
 
 /* Most runs lost of a method and scene, over those methods; all runs must be there. */
@@ -156,11 +140,8 @@ static Measure most_lost(const Table *t, const char *methods, const char *where,
     Measure lost = measure_max_of(0);
     EACH_WORD(m, methods) {
         Measure own = measure_max_of(each);
-        for (int s = 0; s < SCENES; s++) {
-            const Measure one = select_ended(t, "lost", "method=%s problem=%s runs=%d %s", m,
-                                             scenes[s].problem, MESHES, where);
-            if (one.rows) measure_add_max(&own, one.value);
-        }
+        EACH_ROW(row, t, "method=%s runs=%d %s", m, MESHES, where)
+            measure_add_max(&own, select_number(t, row, "lost"));
         lost = measure_max(lost, own);
     }
     return lost;

@@ -7,6 +7,7 @@
  *   bar                      momentum drift
  * Then WLS2 with those parts that end its growth of invisible velocities, and one that does not. */
 #include <math.h>
+#include "studies/runs/run_row.h"
 #include "studies/tables/grades.h"
 #include "studies/tables/hole.h"
 
@@ -50,6 +51,12 @@ static const char *file_part(int scene, const char *what)
     return phrase("%s.%s", scenes[scene].problem, what);
 }
 
+/* The setting that takes a part away, as an option. */
+static const char *without(int part)
+{
+    return part == WHOLE ? "" : phrase(" --set %s=%s", parts[part].setting, parts[part].without);
+}
+
 /* set: " --set name=value", or "". */
 static void add_scene(Cases *list, int scene, const char *method, const char *what, const char *set,
                       bool quick)
@@ -73,36 +80,30 @@ static void cases(Cases *list, bool quick)
     for (int k = 0; k < (quick ? 2 : MESHES); k++)
         case_add(list, "run ring --method fem --cells %d", cells[k]);
     for (int part = WHOLE; part < PARTS; part++) {
-        const char *set =
-            part == WHOLE ? "" : phrase(" --set %s=%s", parts[part].setting, parts[part].without);
-        for (int s = 0; s < SCENES; s++) add_scene(list, s, "ge_wls", part_label(part), set, quick);
+        for (int s = 0; s < SCENES; s++)
+            add_scene(list, s, "ge_wls", part_label(part), without(part), quick);
         for (int k = 0; k < (quick ? 2 : MESHES); k++)
             if (cells[k] != (quick ? scenes[RING].quick : scenes[RING].cells))
-                case_add(list, "run ring --method ge_wls --cells %d%s", cells[k], set);
+                case_add(list, "run ring --method ge_wls --cells %d%s", cells[k], without(part));
     }
     for (int k = 0; k < CURES; k++)
         add_scene(list, BLOCK, "wls2", phrase("wls2-%d", k), phrase(" --set %s", cures[k]), quick);
 }
 
 /* A number of GE-WLS without this part. */
-static Measure value_of(const Table *rows, const char *problem, int n, int part, const char *column)
+static Measure value_of(const Table *rows, int scene, int n, int part)
 {
-    const char *where = phrase("problem=%s method=ge_wls cells=%d", problem, n);
-    for (int k = 0; k < PARTS; k++)
-        where = phrase("%s %s=%s", where, parts[k].setting,
-                       k == part ? parts[k].without : parts[k].with);
-    const Measure m = select_value(rows, column, "%s", where);
+    const Measure m =
+        run_row_value(rows, scenes[scene].column, "run %s --method ge_wls --cells %d%s%s",
+                      scenes[scene].problem, n, scenes[scene].more, without(part));
     return measure_with(m, fabs(m.value));
 }
 
 /* From a history: sqrt(K/K_0) at its end, or |E/E_0 - 1|. */
 static Measure history_end(const Results *r, int scene, const char *what)
 {
-    const char *column = scene == BLOCK ? "kinetic" : "total";
     const Table *h = results_run(r, "%s", file_part(scene, what));
-    const int last = h->nrow - 1;
-    const double ratio =
-        last > 0 ? select_number(h, last, column) / select_number(h, 0, column) : NAN;
+    const double ratio = curve_growth(h, scene == BLOCK ? "kinetic" : "total");
     return measure(scene == BLOCK ? sqrt(ratio) : fabs(ratio - 1), !isnan(ratio), 1);
 }
 
@@ -118,18 +119,15 @@ static Measure scene_value(const Results *r, int scene, int part)
 {
     if (scene == PLATE) return plate_rms(r, part_label(part));
     if (scenes[scene].file) return history_end(r, scene, part_label(part));
-    return value_of(r->rows, scenes[scene].problem, scenes[scene].cells, part,
-                    scenes[scene].column);
+    return value_of(r->rows, scene, scenes[scene].cells, part);
 }
 
 static void write_ring(FILE *f, const Table *rows, int part)
 {
     for (int k = 0; k < MESHES; k++) {
-        const double share =
-            measure_ratio(
-                value_of(rows, "ring", cells[k], part, "error_linf"),
-                select_value(rows, "error_linf", "problem=ring method=fem cells=%d", cells[k]))
-                .value;
+        const Measure fem =
+            run_row_value(rows, "error_linf", "run ring --method fem --cells %d", cells[k]);
+        const double share = measure_ratio(value_of(rows, RING, cells[k], part), fem).value;
         if (!isnan(share)) fprintf(f, "%s,share,%d,%.17g\n", part_label(part), cells[k], share);
     }
 }

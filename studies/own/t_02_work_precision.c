@@ -13,8 +13,7 @@
 #include "studies/tables/curves.h"
 #include "studies/runs/run_args.h"
 
-enum { REPEATS = 2, PPCS = 3, MOST_MESHES = 8, USUAL = 1, INTEGRATORS = 5 };
-static const char *const integrators[INTEGRATORS] = {"cd", "usl", "musl", "uvf", "usf"};
+enum { REPEATS = 2, PPCS = 3, MOST_MESHES = 8, USUAL = 1 };
 
 typedef struct Ladder {
     const Engine *engine;
@@ -59,10 +58,9 @@ enum { OTHERS = sizeof others / sizeof *others };
 
 static bool is_listed(const char *problem)
 {
-    const size_t n = strlen(problem);
     for (int k = 0; k < LADDERS; k++) {
         const char *run = ladders[k].run;
-        if (strncmp(run, problem, n) == 0 && (run[n] == ' ' || !run[n])) return true;
+        if (strcmp(select_word(&run), problem) == 0) return true;
     }
     return false;
 }
@@ -95,15 +93,15 @@ static void ladder_add(const Ask *a, int meshes, const char *options)
                  a->method, a->ladder->cells[k], options, a->repeat);
 }
 
-/* What the method takes besides its defaults, at the usual number of particles. */
-static void others_add(const Ask *a, int meshes, const char *option, const char *const words[],
-                       int n)
+/* What the method takes besides its defaults, at the usual number of particles: an option with each
+ * of these words. */
+static void others_add(const Ask *a, int meshes, const char *option, const char *words)
 {
     const char *ppc = phrase(" --ppc %s", a->ladder->ppc[USUAL]);
     char usual[SPEC_TEXT], command[SPEC_TEXT];
     if (!resolved(a, ppc, usual)) return;
-    for (int k = 0; k < n; k++) {
-        const char *options = phrase("%s%s%s", ppc, option, words[k]);
+    EACH_WORD(w, words) {
+        const char *options = phrase("%s%s%s", ppc, option, w);
         if (resolved(a, options, command) && strcmp(command, usual) != 0)
             ladder_add(a, meshes, options);
     }
@@ -111,7 +109,6 @@ static void others_add(const Ask *a, int meshes, const char *option, const char 
 
 static void method_add(const Ask *a)
 {
-    static const char *const layouts[] = {"cartesian", "radial"};
     if (!engine_has_grid(a->ladder->engine, a->method)) { /* it has no particles */
         ladder_add(a, a->ladder->fem, "");
         return;
@@ -120,9 +117,9 @@ static void method_add(const Ask *a)
         if (!a->brief || p == USUAL)
             ladder_add(a, a->ladder->meshes[p] - a->brief, phrase(" --ppc %s", a->ladder->ppc[p]));
     const int meshes = a->ladder->meshes[USUAL] - a->brief;
-    if (a->ladder->layouts) others_add(a, meshes, " --set layout=", layouts, 2);
+    if (a->ladder->layouts) others_add(a, meshes, " --set layout=", "cartesian radial");
     if (a->ladder->moves && !a->brief)
-        others_add(a, meshes - 1, " --integrator ", integrators, INTEGRATORS);
+        others_add(a, meshes - 1, " --integrator ", "cd usl musl uvf usf");
 }
 
 static void ladder_add_methods(Cases *list, const Ladder *ladder, int repeat, bool quick)
@@ -173,8 +170,8 @@ static Measure bar_steps(const Results *r, const char *method)
         work[k] = select_value(t, "work", where, method, 40 << k).value;
         measure_add(&all, error[k] + work[k]);
     }
-    return measure_with(
-        all, work[0] * pow(work[1] / work[0], log(error[0] / 1e-3) / log(error[0] / error[1])));
+    const double part = log(error[0] / 1e-3) / log(error[0] / error[1]);
+    return measure_with(all, work[0] * pow(work[1] / work[0], part));
 }
 
 static void check(Check *c, const Results *r)

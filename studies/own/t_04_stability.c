@@ -140,13 +140,12 @@ static void check(Check *c, const Results *r)
 {
     const Table *worst = results_part(r, "worst");
     check_bar(c, worst);
-    for (int k = 0; k < 2; k++) {
-        const char *pair = k ? "method=gimp integrator=uvf" : "method=gimp integrator=musl";
-        claim(c, k ? "T-4.uvf" : "T-4.musl",
-              k ? "Standing wave in a bar, GIMP with uvf: largest stable CFL, the lower of A = "
-                  "1e-4 and .01"
-                : "Standing wave in a bar, GIMP with musl: largest stable CFL, the lower of A = "
-                  "1e-4 and .01",
+    EACH_WORD(integrator, "musl uvf") {
+        const char *pair = phrase("method=gimp integrator=%s", integrator);
+        claim(c, phrase("T-4.%s", integrator),
+              phrase("Standing wave in a bar, GIMP with %s: largest stable CFL, the lower of A = "
+                     "1e-4 and .01",
+                     integrator),
               measure_min(bar(worst, "stable", pair, 1e-4), bar(worst, "stable", pair, 0.01)), 1.4,
               2);
     }

@@ -5,7 +5,6 @@
  * FEM's step is that of its least altitude in 3D, so that CFL .6 there is about the .3 of the
  * others; its body force is taken at the nodes, or integrated over the elements. */
 #include <math.h>
-#include <string.h>
 #include "studies/tables/curves.h"
 
 static const int cells[] = {8, 12, 16, 24, 32};
@@ -16,11 +15,8 @@ enum { MESHES = sizeof cells / sizeof *cells };
  * times as long as GIMP. */
 static int meshes_of(const char *method)
 {
-    EACH_WORD(m, "gimp ge_gimp fem")
-        if (strcmp(method, m) == 0) return MESHES;
-    EACH_WORD(m, "mpm bspline")
-        if (strcmp(method, m) == 0) return MESHES - 1;
-    return MESHES - 2;
+    if (select_is_word("gimp ge_gimp fem", method)) return MESHES;
+    return select_is_word("mpm bspline", method) ? MESHES - 1 : MESHES - 2;
 }
 
 static void cases(Cases *list, bool quick)

@@ -6,6 +6,7 @@
 #include <string.h>
 #include "common/base/solid.h"
 #include "studies/tables/curves.h"
+#include "studies/tables/patches.h"
 
 static const char *const rules[] = {"weighted_mean", "normals", "curved", "exact"};
 static const int cells[] = {8, 12, 16, 24};
@@ -36,21 +37,14 @@ static double triple(const double a[3], const double b[3], const double c[3])
  * k = 0, 1, ... in a file of patches; NAN if it cannot be read. */
 static double volume_error(const Results *r, int rule, int n)
 {
-    const char *path = results_path(r, phrase("%s.%d", rules[rule], n));
-    char line[256];
-    double sum = 0, first[3] = {0}, last[3] = {0}, x[3];
-    int cell, k, cut, lines = 0;
-    FILE *f = path ? fopen(path, "r") : NULL;
-    while (f && fgets(line, sizeof line, f)) {
-        if (sscanf(line, "%d,%d,%lf,%lf,%d,%lf", &cell, &k, &x[0], &x[1], &cut, &x[2]) != 6)
-            continue;
-        lines++;
-        if (k == 0) memcpy(first, x, sizeof x);
-        if (k > 1) sum += triple(first, last, x) / 6;
-        memcpy(last, x, sizeof x);
+    Patches p = patches_open(results_path(r, phrase("%s.%d", rules[rule], n)));
+    double sum = 0, first[3] = {0}, last[3] = {0};
+    while (patches_next(&p)) {
+        if (p.k == 0) memcpy(first, p.x, sizeof first);
+        if (p.k > 1) sum += triple(first, last, p.x) / 6;
+        memcpy(last, p.x, sizeof last);
     }
-    if (f) fclose(f);
-    return lines > 0 ? fabs(sum / (M_PI / 6 * (1 - 0.125)) - 1) : NAN;
+    return p.corners ? fabs(sum / (M_PI / 6 * (1 - 0.125)) - 1) : NAN;
 }
 
 /* Corner k of a cube turned by one of 24 rotations: an order of the axes, and which are reversed.

@@ -2,7 +2,6 @@
  * paper, and with other coefficients, so that both radii bear a known traction; and a bar pulled at
  * its end. Every method and FEM; largest error over all particles and steps. N cells over the outer
  * radius. */
-#include <string.h>
 #include "studies/tables/curves.h"
 
 static const int cells[] = {8, 16, 32, 64}, bar_cells[] = {20, 40, 80};
@@ -11,9 +10,7 @@ enum { MESHES = 4, BAR_MESHES = 3 };
 /* N = 64 is for the methods whose order is judged. */
 static int meshes_of(const char *method)
 {
-    EACH_WORD(m, "wls2 fem")
-        if (strcmp(method, m) == 0) return MESHES;
-    return MESHES - 1;
+    return select_is_word("wls2 fem", method) ? MESHES : MESHES - 1;
 }
 
 static void cases(Cases *list, bool quick)

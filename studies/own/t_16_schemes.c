@@ -30,15 +30,12 @@ static void cases(Cases *list, bool quick)
                           "run block --method %s --cells %d --integrator usl --set dim=1 --set "
                           "steps=1 --set particles=%d",
                           m, BAR_CELLS, counts[k]);
-    EACH_WORD(m, transfers)
-        case_add_with(list, "particles", phrase("transfer.%s", m),
-                      "run free_block --method %s --cells %d --cfl 1e-7 --set steps=20", m,
-                      BLOCK_CELLS);
-    EACH_WORD(m, domains)
-        case_add_with(list, "nodes", phrase("block.%s", m),
-                      "run block --method %s --cells %d --integrator usl --set dim=2 --set steps=1 "
-                      "--set stretch=1.5 --set angle=30 --set offset_x=0.3 --set offset_y=0.2",
-                      m, BLOCK_CELLS);
+    case_add_each(list, "particles", "transfer", transfers,
+                  "run free_block --cells %d --cfl 1e-7 --set steps=20", BLOCK_CELLS);
+    case_add_each(list, "nodes", "block", domains,
+                  "run block --cells %d --integrator usl --set dim=2 --set steps=1 --set "
+                  "stretch=1.5 --set angle=30 --set offset_x=0.3 --set offset_y=0.2",
+                  BLOCK_CELLS);
 }
 
 /* Is the node within so much of the middle of the scene along this axis? */

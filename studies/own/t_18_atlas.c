@@ -8,9 +8,12 @@
  *   H-12  a block drifts from node to node with its particles on nodes
  *   H-14  a block falls freely */
 #include <math.h>
+#include "studies/tables/block_nodes.h"
+#include "studies/tables/corner.h"
 #include "studies/tables/grades.h"
+#include "studies/tables/masses.h"
 
-enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5, RUNGS = 6 };
+enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5 };
 #define STRETCH 1.0717
 #define DRIFT   0.1
 #define EPS     0.01 /* H-5, in h */
@@ -18,118 +21,66 @@ enum { INSIDE = 12, CELLS = 8, CORNER = 4, STEPS = 300, INTEGRATORS = 5, RUNGS =
 static const char uniform[] = "mpm gimp ge_gimp bspline wls2 ge_wls";
 static const char ripple[] = "mpm gimp ge_gimp bspline apic tpic wls wls2 ge_wls";
 static const char spun[] = "mpm gimp ge_gimp apic tpic wls2", freely[] = "gimp ge_gimp apic";
-static const char *const integrators[INTEGRATORS] = {"cd", "uvf", "musl", "usl", "usf"};
-static const double rungs[RUNGS] = {0.4, 0.5, 0.6, 0.7, 0.8, 0.95}; /* H-5 */
+static const char half[] = "cd uvf musl", whole[] = "usl usf"; /* first steps of integrators */
 
-/* A block whose particles or boxes reach EPS beyond a node; steps in units of scale h/c. */
-static const struct {
-    const char *method;
-    double beyond, scale;
-} corners[] = {{"mpm", 0, 0.141421}, {"gimp", 0.25, 1}, {"ge_wls", 0.5, 1}};
+/* H-5: tents, the edges of boxes, a free surface. */
+enum { CORNERS = 3 };
+static const Corner corners[CORNERS] = {
+    {"mpm", 0, EPS, 0.141421}, {"gimp", 0.25, EPS, 1}, {"ge_wls", 0.5, EPS, 1}};
 
-static const char *part(const char *what, const char *method)
-{
-    return phrase("%s.%s", what, method);
-}
-
-static void add_nodes(Cases *list, bool quick)
+static void add_files(Cases *list, bool quick)
 {
     for (int turned = 0; turned < 2; turned++)
-        EACH_WORD(m, uniform)
-            case_add_with(list, "nodes", part(turned ? "turned" : "stretch", m),
-                          "run block --method %s --cells %d --integrator usl --set dim=3 --set "
-                          "steps=1 --set allow_unstable=1 --set stretch=%g --set angle=%d --set "
-                          "drift_x=%g " OFF,
-                          m, INSIDE, STRETCH, turned * 30, DRIFT);
-    EACH_WORD(m, ripple)
-        case_add_with(list, "history", part("ripple", m),
-                      "run block --method %s --cells %d --set dim=3 --set ripple=1e-4 " OFF
-                      " --t-end %.17g",
-                      m, CELLS, (quick ? 10 : STEPS) * BLOCK_CFL / (CELLS * BLOCK_SPEED));
+        case_add_each(list, "nodes", turned ? "turned" : "stretch", uniform,
+                      "run block --cells %d --integrator usl --set dim=3 --set steps=1 --set "
+                      "allow_unstable=1 --set stretch=%g --set angle=%d --set drift_x=%g " OFF,
+                      INSIDE, STRETCH, turned * 30, DRIFT);
+    case_add_each(list, "history", "ripple", ripple,
+                  "run block --cells %d --set dim=3 --set ripple=1e-4 " OFF " --t-end %.17g", CELLS,
+                  (quick ? 10 : STEPS) * BLOCK_CFL / (CELLS * BLOCK_SPEED));
 }
 
 static void cases(Cases *list, bool quick)
 {
-    add_nodes(list, quick);
-    for (int k = 0; k < 3; k++)
-        for (int n = 0; n < RUNGS; n++)
-            case_add(
-                list,
-                "run block --method %s --integrator cd --cells %d --cfl %.6g --t-end .1 --set "
-                "dim=3 "
-                "--set offset_x=%g --set offset_y=%g --set offset_z=%g --set stop_growth=1 --set "
-                "stretch=1.00000003 --set drift_x=1.6e-7",
-                corners[k].method, CORNER,
-                rungs[n] * corners[k].scale * BLOCK_SPEED / BLOCK_P_SPEED,
-                EPS + 0.25 - corners[k].beyond, EPS + 0.25 - corners[k].beyond,
-                EPS + 0.25 - corners[k].beyond);
-    EACH_WORD(m, spun)
-        case_add_with(list, "particles", part("spin", m),
-                      "run block --method %s --cells %d --t-end %.17g --set dim=3 --set box=4 "
-                      "--set spin=1",
-                      m, CELLS, 2 * M_PI / BLOCK_SPEED);
-    EACH_WORD(m, freely)
-        case_add_with(list, "history", part("free", m),
-                      "run free_block --method %s --cells %d --t-end %.17g --set dim=3 --set box=2 "
-                      "--set swing=0 --set drift=0",
-                      m, CELLS, FREE_TURN);
-    for (int ge = 0; ge < 2; ge++)
-        for (int k = 0; k < INTEGRATORS; k++)
+    const char *all = phrase("%s %s", half, whole);
+    add_files(list, quick);
+    for (int k = 0; k < CORNERS; k++) corner_add(list, &corners[k]);
+    case_add_each(list, "particles", "spin", spun,
+                  "run block --cells %d --t-end %.17g --set dim=3 --set box=4 --set spin=1", CELLS,
+                  2 * M_PI / BLOCK_SPEED);
+    case_add_each(list, "history", "free", freely,
+                  "run free_block --cells %d --t-end %.17g --set dim=3 --set box=2 --set swing=0 "
+                  "--set drift=0",
+                  CELLS, FREE_TURN);
+    EACH_WORD(m, "mpm ge_mpm")
+        EACH_WORD(i, all)
             case_add(list,
                      "run block --method %s --integrator %s --set allow_unstable=1 --set dim=3 "
                      "--cells %d --set steps=20 --set drift_x=0.8333333333333334 --set "
                      "offset_x=0.25 --set offset_y=0.25 --set offset_z=0.25",
-                     ge ? "ge_mpm" : "mpm", integrators[k], CELLS);
-    EACH_METHOD(i, &engine_3d)
-        for (int k = 0; k < (engine_has_grid(&engine_3d, i->name) ? INTEGRATORS : 1); k++)
+                     m, i, CELLS);
+    EACH_METHOD(m, &engine_3d) {
+        const bool grid = engine_has_grid(&engine_3d, m->name);
+        EACH_WORD(i, grid ? all : "cd")
             case_add(list,
                      "run block --method %s --integrator %s --cells %d --set dim=3 --set "
                      "gravity=1000 " OFF " --set refresh=%d --set allow_unstable=1 --set steps=20",
-                     i->name, integrators[k], CORNER, engine_has_grid(&engine_3d, i->name));
+                     m->name, i, CORNER, grid);
+    }
 }
 
 /* H-1: the largest force inside over |sigma| and the area of a cell's face. */
-static double force(const Table *t, int turned)
+static double force(const Table *t, double degrees)
 {
-    const double E = 1e4, nu = 0.3, mu = E / (2 + 2 * nu), h = 1.0 / INSIDE;
-    const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), l = lambda * log(STRETCH);
-    const double along = mu * (STRETCH * STRETCH - 1) + l;
-    const double unit = sqrt(along * along + 2 * l * l) / STRETCH * h * h;
-    const double dt = BLOCK_CFL * h / BLOCK_SPEED, a = turned * M_PI / 6;
-    double most = t->nrow ? 0 : NAN;
-    for (int i = 0; i < t->nrow; i++) {
-        const double x = select_number(t, i, "x") - 1.5 - 0.13 * h;
-        const double y = select_number(t, i, "y") - 1.5 - 0.42 * h;
-        const double z = select_number(t, i, "z") - 1.5 - 0.77 * h;
-        const double own[] = {(cos(a) * x + sin(a) * y) / STRETCH, cos(a) * y - sin(a) * x, z};
-        const double v[] = {select_number(t, i, "vx") - DRIFT * BLOCK_SPEED,
-                            select_number(t, i, "vy"), select_number(t, i, "vz")};
-        if (fmax(fmax(fabs(own[0]), fabs(own[1])), fabs(own[2])) >= 0.5 - 4 * h) continue;
-        for (int d = 0; d < 3; d++)
-            most = measure_worse(most, fabs(v[d]) * select_number(t, i, "mass") / (dt * unit));
-    }
-    return most;
+    static const double off[] = {0.13, 0.42, 0.77};
+    const BlockNodes block = {3, INSIDE, 3, off, STRETCH, degrees, DRIFT, 0.5 - 4.0 / INSIDE};
+    return block_nodes_largest(&block, t);
 }
 
-/* H-8: mean J about z, F_zz included, over exp(2 pi w dt). */
+/* H-8: mean J over exp(2 pi w dt). */
 static double growth(const Table *t)
 {
-    double mass = 0, sum = 0;
-    for (int k = 0; k < t->nrow; k++) {
-        const double m = select_number(t, k, "mass");
-        if (!(m > 0)) continue;
-        mass += m;
-        sum += m * select_number(t, k, "Fzz") *
-               (select_number(t, k, "Fxx") * select_number(t, k, "Fyy") -
-                select_number(t, k, "Fxy") * select_number(t, k, "Fyx"));
-    }
-    return sum / mass / exp(2 * M_PI * BLOCK_CFL / CELLS);
-}
-
-/* A column at the end over its start; NAN of an empty history. */
-static double left(const Table *t, const char *column)
-{
-    return t->nrow ? select_last(t, column) / select_number(t, 0, column) : NAN;
+    return masses_sum(t, (const double[2]){2, 2}).J / exp(2 * M_PI * BLOCK_CFL / CELLS);
 }
 
 static void tables(const Results *r)
@@ -137,56 +88,30 @@ static void tables(const Results *r)
     FILE *f = results_write(r, "found", "what,method,value,status");
     static const char *const what[] = {"stretch", "turned", "ripple", "spin", "free"};
     const char *const methods[] = {uniform, uniform, ripple, spun, freely};
-    for (int k = 0; k < 5; k++) {
+    for (int k = 0; k < 5; k++)
         EACH_WORD(m, methods[k]) {
-            const Table *t = results_run(r, "%s", part(what[k], m));
-            const double x = k < 2    ? force(t, k)
-                             : k == 2 ? sqrt(left(t, "kinetic"))
+            const char *part = phrase("%s.%s", what[k], m);
+            const Table *t = results_run(r, "%s", part);
+            const double x = k < 2    ? force(t, 30 * k)
+                             : k == 2 ? sqrt(curve_growth(t, "kinetic"))
                              : k == 3 ? growth(t)
-                                      : 1 - left(t, "angular_z");
-            if (t->nrow)
-                fprintf(f, "%s,%s,%.10g,%s\n", what[k], m, x, results_status(r, part(what[k], m)));
+                                      : 1 - curve_growth(t, "angular_z");
+            if (t->nrow) fprintf(f, "%s,%s,%.10g,%s\n", what[k], m, x, results_status(r, part));
         }
-    }
 }
 
-/* The largest and the least of the numbers that these methods have in NAME.found.csv. */
+/* The largest of the numbers that these methods have in NAME.found.csv. */
 static Measure largest(const Table *t, const char *what, const char *methods)
 {
     return curve_worst(t, methods, 1, "value", phrase("what=%s", what));
 }
 
-static Measure smallest(const Table *t, const char *what, const char *methods)
-{
-    Measure out = measure_min_of(0);
-    EACH_WORD(m, methods)
-        out = measure_min(out, select_value(t, "value", "what=%s method=%s", what, m));
-    return out;
-}
-
-/* H-5: the largest of the rungs, over all of them, that is stable, with all below it. */
-static Measure stable(const Table *t, int corner)
-{
-    Measure rows = measure_sum_of(RUNGS);
-    double last = 0;
-    for (int n = 0; n < RUNGS; n++) {
-        const double cfl = rungs[n] * corners[corner].scale * BLOCK_SPEED / BLOCK_P_SPEED;
-        const int row = select_next(t, -1, "stretch=1.00000003 method=%s cfl=%.6g",
-                                    corners[corner].method, cfl);
-        if (row < 0) continue;
-        measure_add(&rows, 1);
-        const bool below = n == 0 || last >= rungs[n - 1];
-        if (below && select_is(t, row, "status", "ok")) last = rungs[n];
-    }
-    return measure_with(rows, last);
-}
-
-/* H-14, H-12: largest error of the integrators from .. to - 1. */
-static Measure error(const Table *t, const char *where, int from, int to, int needs)
+/* H-14: largest error with these integrators. */
+static Measure fall_error(const Table *t, const char *integrators, int needs)
 {
     Measure most = measure_max_of(needs);
-    for (int k = from; k < to; k++)
-        EACH_ROW(row, t, "%s integrator=%s", where, integrators[k])
+    EACH_WORD(i, integrators)
+        EACH_ROW(row, t, "gravity=1000 integrator=%s", i)
             measure_add_max(&most, select_kept(t, row, "error_linf"));
     return most;
 }
@@ -212,7 +137,7 @@ static void check_forces(Check *c, const Table *t)
     claim(c, "T-18e.h2-flip",
           "Alternating velocities in 3D: MPM, GIMP, GE-GIMP, B-splines keep them: least amplitude "
           "left after 300 steps",
-          smallest(t, "ripple", "mpm gimp ge_gimp bspline"), 0.9, 1.1);
+          curve_least(t, "mpm gimp ge_gimp bspline", 1, "value", "what=ripple"), 0.9, 1.1);
     claim(c, "T-18e.h2-damp",
           "Alternating velocities in 3D: APIC, TPIC damp them: most amplitude left after 300 steps",
           largest(t, "ripple", "apic tpic"), 0, 0.1);
@@ -249,28 +174,26 @@ static void check(Check *c, const Results *r)
         c, "T-18e.h5-tent",
         "Corner .01 h inside a cell in 3D, MPM: the critical step is sqrt(2 eps/h) h/c, "
         "as in the plane: largest stable step of six, over that",
-        stable(t, 0), 0.9, 1, 0.8, 0.8,
+        corner_stable(t, &corners[0]), 0.9, 1, 0.8, 0.8,
         "stable at .8 of it, not at .95 (cd, eps = .01 h); the reason was not looked for");
-    claim(c, "T-18e.h5-gimp",
-          "Corner .01 h inside a cell in 3D, GIMP: largest stable step of six [h/c]", stable(t, 1),
-          0.5, 0.5);
-    claim(c, "T-18e.h5-ge_wls",
-          "Corner .01 h inside a cell in 3D, GE-WLS: largest stable step of six [h/c]",
-          stable(t, 2), 0.5, 0.5);
+    for (int k = 1; k < CORNERS; k++)
+        claim(c, phrase("T-18e.h5-%s", corners[k].method),
+              phrase("Corner .01 h inside a cell in 3D, %s: largest stable step of six [h/c]",
+                     engine_label(corners[k].method)),
+              corner_stable(t, &corners[k]), 0.5, 0.5);
     claim(c, "T-18e.h12",
           "MPM, GE-MPM, every integrator in 3D: a block drifts from node to node: largest error "
           "of displacement [m]",
-          error(t, "drift_x=0.8333333333333334", 0, INTEGRATORS, 2 * INTEGRATORS), 0, 1e-12);
+          select_max(t, "error_linf", 2 * INTEGRATORS, "drift_x=0.8333333333333334"), 0, 1e-12);
     claim(c, "T-18e.h14-half",
           "Free fall in 3D: x - g t^2/2 vanishes with a half first step (cd, uvf, musl), every "
           "method and FEM: largest [m]",
-          error(t, "gravity=1000", 0, 3, 3 * methods + 1), 0, 1e-12);
+          fall_error(t, half, 3 * methods + 1), 0, 1e-12);
     claim(c, "T-18e.h14-whole",
           "Free fall in 3D with a whole first step (usl, usf) is g t dt/2 too far: largest error "
           "over that",
-          measure_times(error(t, "gravity=1000", 3, INTEGRATORS, 2 * methods),
-                        1 / (1000 * 20 * dt * dt / 2)),
-          0.99, 1.01);
+          measure_times(fall_error(t, whole, 2 * methods), 1 / (1000 * 20 * dt * dt / 2)), 0.99,
+          1.01);
 }
 
 const StudyPage study_t_18_atlas = {.cases = cases, .tables = tables, .check = check, .claims = 16};

@@ -5,6 +5,7 @@
  * that the Cauchy stress is mu (F^2 - 1)/J in each direction. At 5 ms s = 0 and there is none. */
 #include <math.h>
 #include "studies/tables/curves.h"
+#include "studies/tables/points.h"
 
 enum { CELLS = 16, QUICK = 8, TIMES = 3, METHODS = 5 };
 enum { POINTS = 100 /* in the section, at least */ };
@@ -35,24 +36,6 @@ static void exact_stress(double R, int k, double stress[2])
     stress[1] = E / 2 * (across * across - 1) / J;
 }
 
-/* Stress along x, and along (-y, x, 0), of one row. */
-static void stress_of(const Table *t, int row, const double x[3], double stress[2])
-{
-    static const char *const name[3][3] = {
-        {"sxx", "sxy", "sxz"}, {"sxy", "syy", "syz"}, {"sxz", "syz", "szz"}};
-    const double around[3] = {-x[1], x[0], 0};
-    const double *direction[2] = {x, around};
-    for (int k = 0; k < 2; k++) {
-        const double *e = direction[k];
-        double sum = 0, square = 0;
-        for (int a = 0; a < 3; a++) {
-            square += e[a] * e[a];
-            for (int b = 0; b < 3; b++) sum += e[a] * e[b] * select_number(t, row, name[a][b]);
-        }
-        stress[k] = sum / square;
-    }
-}
-
 /* The points of one run in the section into `points`, into `sums` the largest stress, the rms
  * difference from the exact one, both components together, and the exact one's largest value. */
 static void write_run(FILE *points, FILE *sums, const Results *r, const char *method, int k)
@@ -65,12 +48,14 @@ static void write_run(FILE *points, FILE *sums, const Results *r, const char *me
     for (int row = 0; row < t->nrow; row++) {
         const double Z = select_number(t, row, "Z");
         if (fabs(Z) >= h / 2 || select_number(t, row, "surface") > 0) continue;
-        const double x[3] = {select_number(t, row, "x"), select_number(t, row, "y"),
-                             select_number(t, row, "z")};
-        const double X[3] = {select_number(t, row, "X"), select_number(t, row, "Y"), Z};
-        double found[2], exact[2];
+        double X[3], x[3], exact[2];
+        points_row(t, row, "X Y Z", X);
+        points_row(t, row, "x y z", x);
         exact_stress(sqrt(X[0] * X[0] + X[1] * X[1] + X[2] * X[2]), k, exact);
-        stress_of(t, row, x, found);
+        const double found[2] = {
+            points_stress_along(t, row, x),
+            points_stress_along(t, row, (const double[3]){-x[1], x[0], 0}),
+        };
         for (int c = 0; c < 2; c++) {
             most = measure_worse(most, fabs(found[c]));
             known = measure_worse(known, fabs(exact[c]));

@@ -98,3 +98,51 @@ Measure curve_mean_ratio(const Curve *a, const Curve *b, int needs)
     }
     return mean;
 }
+
+Measure curve_least(const Table *t, const char *methods, int each, const char *want,
+                    const char *where)
+{
+    Measure least = measure_min_of(0);
+    EACH_WORD(m, methods)
+        least = measure_min(least, select_min(t, want, each, "method=%s %s", m, where));
+    return least;
+}
+
+void curve_add(Curve *c, double x, Measure y)
+{
+    if (y.rows < y.needs || c->n == CURVE_MAX) return;
+    c->x[c->n] = x;
+    c->y[c->n++] = y.value;
+}
+
+double curve_growth(const Table *t, const char *column)
+{
+    return t->nrow > 1 ? select_last(t, column) / select_number(t, 0, column) : NAN;
+}
+
+double curve_first_change(const Table *t, const char *column, double share)
+{
+    for (int row = 0; row < t->nrow; row++)
+        if (fabs(select_number(t, row, column) / select_number(t, 0, column) - 1) > share)
+            return select_number(t, row, "t");
+    return NAN;
+}
+
+double curve_rate(const Table *t, const char *column, double from)
+{
+    const double t1 = select_last(t, "t"), x1 = select_last(t, column);
+    double t0 = NAN, x0 = NAN;
+    for (int row = 0; row < t->nrow && select_number(t, row, "t") <= from * t1; row++) {
+        t0 = select_number(t, row, "t");
+        x0 = select_number(t, row, column);
+    }
+    return (x1 - x0) / (t1 - t0);
+}
+
+Measure curve_lost(const Table *t, const char *methods, int each, const char *where)
+{
+    Measure lost = measure_sum_of(0);
+    EACH_WORD(m, methods)
+        lost = measure_sum(lost, select_count_lost(t, each, phrase("method=%s %s", m, where)));
+    return lost;
+}

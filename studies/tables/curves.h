@@ -46,4 +46,25 @@ Measure curve_order_in_h(const Table *rows, const char *error, double from, doub
 Measure curve_worst(const Table *t, const char *methods, int each, const char *want,
                     const char *where);
 
+/* The least one, likewise. */
+Measure curve_least(const Table *t, const char *methods, int each, const char *want,
+                    const char *where);
+
+/* Adds a point, unless y lacks rows that it needs. */
+void curve_add(Curve *c, double x, Measure y);
+
+/* A column in the last row over that in the first; NAN with fewer than two rows. */
+double curve_growth(const Table *t, const char *column);
+
+/* Of a history: when the column first differs from its start by more than this share of that [s].
+ * NAN: never. */
+double curve_first_change(const Table *t, const char *column, double share);
+
+/* Of a history: the mean rate of the column from the last instant within this share of the duration
+ * to the end [1/s]. */
+double curve_rate(const Table *t, const char *column, double from);
+
+/* How many rows of these methods that also meet `where` were lost; there are `each` of a method. */
+Measure curve_lost(const Table *t, const char *methods, int each, const char *where);
+
 #endif

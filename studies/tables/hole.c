@@ -49,14 +49,15 @@ double hole_reference_at(const HoleReference *r, double X, double Y)
     return (1 - b) * ((1 - a) * near[0] + a * near[1]) + b * ((1 - a) * far[0] + a * far[1]);
 }
 
-typedef struct Point {
-    double angle, stress, reference;
-} Point;
-
 static int by_angle(const void *a, const void *b)
 {
-    const Point *x = a, *y = b;
+    const RimPoint *x = a, *y = b;
     return (x->angle > y->angle) - (x->angle < y->angle);
+}
+
+void hole_sort(Rim *rim)
+{
+    qsort(rim->point, (size_t)rim->n, sizeof *rim->point, by_angle);
 }
 
 /* Mean of the column over the `members` rows from k on. */
@@ -76,51 +77,38 @@ static bool is_near(const Table *t, int k, int members, int cells)
     return false;
 }
 
-Rim hole_room(int n)
+Rim hole_room(int most)
 {
-    Rim rim = {.n = n, .angle = must(malloc(sizeof(double) * 3 * ((size_t)n + 1)))};
-    rim.stress = rim.angle + n;
-    rim.reference = rim.stress + n;
-    return rim;
+    return (Rim){.point = must(malloc(sizeof(RimPoint) * ((size_t)most + 1)))};
 }
 
 Rim hole_read(const Table *t, int cells, const HoleReference *r, bool quads)
 {
-    Rim rim;
-    int n = 0;
-    double moved = 0;
     const int members = quads ? 2 : 1;
-    Point *p = must(malloc(sizeof *p * ((size_t)t->nrow + 1)));
+    Rim rim = hole_room(t->nrow);
     for (int k = 0; k + members <= t->nrow; k += members) {
         const double X = mean_of(t, k, members, "X"), Y = mean_of(t, k, members, "Y");
         if (select_number(t, k, "surface") > 0) continue;
-        moved = measure_worse(
-            moved, hypot(mean_of(t, k, members, "x") - X, mean_of(t, k, members, "y") - Y));
+        rim.moved = measure_worse(
+            rim.moved, hypot(mean_of(t, k, members, "x") - X, mean_of(t, k, members, "y") - Y));
         if (!is_near(t, k, members, cells)) continue;
-        p[n++] = (Point){atan2(Y, X) * 180 / M_PI, 1e-9 * mean_of(t, k, members, "von_mises"),
-                         hole_reference_at(r, X, Y)};
+        rim.point[rim.n++] =
+            (RimPoint){atan2(Y, X) * 180 / M_PI, 1e-9 * mean_of(t, k, members, "von_mises"),
+                       hole_reference_at(r, X, Y)};
     }
-    qsort(p, (size_t)n, sizeof *p, by_angle);
-    rim = hole_room(n);
-    rim.moved = moved;
-    for (int k = 0; k < rim.n; k++) {
-        rim.angle[k] = p[k].angle;
-        rim.stress[k] = p[k].stress;
-        rim.reference[k] = p[k].reference;
-    }
-    free(p);
+    hole_sort(&rim);
     return rim;
 }
 
 void hole_free(Rim *rim)
 {
-    free(rim->angle);
+    free(rim->point);
     *rim = (Rim){0};
 }
 
 static double off(const Rim *rim, int k)
 {
-    return rim->stress[k] - rim->reference[k];
+    return rim->point[k].stress - rim->point[k].reference;
 }
 
 double hole_rms(const Rim *rim)

@@ -21,10 +21,14 @@ void hole_reference_free(HoleReference *r);
  * outer edge, along rays) and angle; linear beyond the outermost. */
 double hole_reference_at(const HoleReference *r, double X, double Y);
 
+typedef struct RimPoint {
+    double angle, stress, reference;
+} RimPoint;
+
 /* Points initially within .35 h of the hole, by angle. */
 typedef struct Rim {
     int n;
-    double *angle, *stress, *reference;
+    RimPoint *point;
     double moved; /* [m] largest displacement of any point of the file */
 } Rim;
 
@@ -34,8 +38,9 @@ typedef struct Rim {
 Rim hole_read(const Table *points, int cells, const HoleReference *r, bool quads);
 void hole_free(Rim *rim);
 
-/* Room for n points, to be filled. */
-Rim hole_room(int n);
+/* Room for so many points, none of them there; and puts those that were added in order. */
+Rim hole_room(int most);
+void hole_sort(Rim *rim);
 
 double hole_rms(const Rim *rim);     /* of stress less reference */
 double hole_scatter(const Rim *rim); /* rms of that about its mean of seven neighbours in angle */

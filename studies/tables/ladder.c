@@ -80,6 +80,15 @@ double ladder_limit(const Ladder *l, Mark worst, int *first)
     return k > 0 ? l->cfl[k - 1] : 0;
 }
 
+bool ladder_window(const Ladder *l, int *low, int *high)
+{
+    *high = l->n - 1;
+    while (*high >= 0 && l->grade[*high] != MARK_OK) *high -= 1;
+    *low = *high;
+    while (*low > 0 && l->grade[*low - 1] == MARK_OK) *low -= 1;
+    return *high >= 0;
+}
+
 /* The run of a row at another CFL number. */
 static void add_case(Cases *list, const Table *rows, int row, double cfl)
 {
@@ -104,4 +113,17 @@ void ladder_split(Cases *list, const Table *rows, const Ladder *l, int k, double
     const double high = l->cfl[k + 1], low = k < 0 ? 0 : l->cfl[k], cfl = (low + high) / 2;
     if (k < 0 ? cfl < least * (1 - 1e-9) : high - low <= relative * high) return;
     add_case(list, rows, l->row[0], cfl);
+}
+
+void ladder_refine_windows(Cases *list, const Table *rows, double above, double below)
+{
+    Ladder *ladders;
+    const int n = ladder_read_all(rows, &ladders);
+    for (const Ladder *l = ladders; l < ladders + n; l++) {
+        int low, high;
+        if (!ladder_window(l, &low, &high)) continue;
+        if (high < l->n - 1) ladder_split(list, rows, l, high, above, 0);
+        if (low > 0) ladder_split(list, rows, l, low - 1, below, 0);
+    }
+    free(ladders);
 }

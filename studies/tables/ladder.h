@@ -25,9 +25,17 @@ int ladder_read_all(const Table *rows, Ladder **out);
  * not. *first is the rung that is worse, or -1 if none is: then the limit is what was tried. */
 double ladder_limit(const Ladder *l, Mark worst, int *first);
 
+/* The stable rungs about the largest one that is: *low, *high are the first and the last of them.
+ * False if none is stable. */
+bool ladder_window(const Ladder *l, int *low, int *high);
+
 /* Adds the run in the middle between rungs k and k + 1, unless the gap is at most so much of its
  * upper end. k -1: half of the lowest rung, unless that is below `least`. */
 void ladder_split(Cases *list, const Table *rows, const Ladder *l, int k, double relative,
                   double least);
+
+/* Of every ladder with stable rungs: splits the gaps above and below its window, unless they are at
+ * most so much of their upper ends. */
+void ladder_refine_windows(Cases *list, const Table *rows, double above, double below);
 
 #endif

@@ -51,9 +51,10 @@ static void write_place(FILE *f, const Table *rows, int row)
             engine_line(map->engine, method));
 }
 
-static int index_of(const double *list, double x)
+/* Of x among n numbers, or up to a 0; -1: none of them. */
+static int index_of(int n, const double *list, double x)
 {
-    for (int k = 0; k < MAP_MOST && list[k] > 0; k++)
+    for (int k = 0; k < n && list[k] > 0; k++)
         if (fabs(list[k] - x) <= 1e-9 * x) return k;
     return -1;
 }
@@ -61,9 +62,7 @@ static int index_of(const double *list, double x)
 /* Index of the rung of the map; -1: a CFL number that a bisection added. */
 static int column_of(double cfl)
 {
-    for (int k = 0; k < MAP_RUNGS; k++)
-        if (fabs(stability_rungs[k] - cfl) <= 1e-9 * cfl) return k;
-    return -1;
+    return index_of(MAP_RUNGS, stability_rungs, cfl);
 }
 
 /* Writes one line per run. In the figure, rows are grouped by amplitude, one row per PPC, with a
@@ -77,10 +76,10 @@ static void write_map(FILE *f, const Table *rows, const Ladder *l)
     while (map->ppc[height - 1] > 0) height++;
     for (int k = 0; k < l->n; k++)
         for (int p = 0; map->ppc[p] > 0 && column_of(l->cfl[k]) >= 0; p++) {
-            if (isfinite(ppc) && p != index_of(map->ppc, ppc)) continue;
+            if (isfinite(ppc) && p != index_of(MAP_MOST, map->ppc, ppc)) continue;
             write_place(f, rows, l->row[k]);
             fprintf(f, "%.10g,%g,%g,%d,%d,%d,%s\n", ppc, A, l->cfl[k], column_of(l->cfl[k]),
-                    index_of(map->A, A) * height + p, l->grade[k],
+                    index_of(MAP_MOST, map->A, A) * height + p, l->grade[k],
                     select_text(rows, l->row[k], "status"));
         }
 }
@@ -131,8 +130,8 @@ static void write_worst(FILE *f, const Table *limits)
         for (int c = 0; c < 7; c++) fprintf(f, "%s,", limits->cell[row * limits->ncol + c]);
         const Map *map = &stability_maps[select_number(limits, row, "dim") > 1];
         const double A = select_number(limits, row, "amplitude");
-        fprintf(f, "%g,%d,%s,%s\n", A, index_of(map->A, A), select_text(limits, s, "stable"),
-                select_text(limits, k, "kept"));
+        fprintf(f, "%g,%d,%s,%s\n", A, index_of(MAP_MOST, map->A, A),
+                select_text(limits, s, "stable"), select_text(limits, k, "kept"));
     }
 }
 

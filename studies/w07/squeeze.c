@@ -22,3 +22,23 @@ double squeeze_plateau(void)
     const double h = 1 / (double)SQUEEZE_CELLS;
     return h * h / 6 / pow(1 + h, 2);
 }
+
+Measure squeeze_at_ten(const Curve *c)
+{
+    const double at_10 = 1 + 0.5 / 100;
+    return measure_times(curve_at(c, 10), 1 / (squeeze_plateau() * at_10));
+}
+
+Measure squeeze_exponent(const Curve *c, double width, double least)
+{
+    double at[CURVE_MAX] = {0}, worst[CURVE_MAX] = {0};
+    const int intervals = (int)lround(8 / width);
+    for (int k = 0; k < c->n; k++) {
+        const int i = (int)floor((c->x[k] - 2) / width);
+        const double y = c->y[k] - least;
+        if (c->x[k] < 2 || i >= intervals || y <= worst[i]) continue;
+        if (!isnan(worst[i])) at[i] = c->x[k];
+        worst[i] = measure_worse(worst[i], y);
+    }
+    return measure_with(curve_max(c, SQUEEZE_POINTS), curve_slope(intervals, at, worst));
+}

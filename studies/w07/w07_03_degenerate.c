@@ -29,15 +29,6 @@ static Measure error(const Table *rows, int method, int arrangement)
                         arrangements[arrangement]);
 }
 
-/* Worst of the two enhanced methods in all four arrangements. */
-static Measure worst_enhanced(const Table *rows)
-{
-    Measure worst = measure_max_of(2 * ARRANGEMENTS);
-    for (int a = 0; a < ARRANGEMENTS; a++)
-        for (int m = 2; m < METHODS; m++) measure_add_max(&worst, error(rows, m, a).value);
-    return worst;
-}
-
 /* Least of a method in the three arrangements that are not centred. */
 static Measure least_of_others(const Table *rows, int method)
 {
@@ -68,7 +59,7 @@ static void check(Check *c, const Results *r)
     claim(c, "W07-3.ge-zero",
           "Linear field in four cells: GE-MPM and GE-GIMP: the error is zero in all four "
           "arrangements: largest",
-          worst_enhanced(r->rows), 0, 1e-13);
+          curve_worst(r->rows, "ge_mpm ge_gimp", ARRANGEMENTS, "error_linf", ""), 0, 1e-13);
 }
 
 const StudyPage study_w07_03_degenerate = {.cases = cases, .check = check, .claims = 5};

@@ -6,28 +6,12 @@
  * such points falls with the particles per cell as PPC^-2 (MPM) and PPC^-3 (GIMP). */
 #include <math.h>
 #include "squeeze.h"
-#include "studies/tables/curves.h"
 
 static const char *const methods[] = {"mpm", "gimp"};
-enum { CELLS = 100, FEWEST = 50, MOST = 1000, POINTS = MOST - FEWEST + 1 };
 
 static void cases(Cases *list, bool quick)
 {
-    for (int m = 0; m < 2; m++) squeeze_add(list, methods[m], "linear", CELLS, 1, quick);
-}
-
-/* Exponent of the local maxima over PPC 2..10: one maximum in each interval of this width. */
-static Measure exponent(const Curve *c, double width)
-{
-    double at[MOST] = {0}, worst[MOST] = {0};
-    const int intervals = (int)lround(8 / width);
-    for (int k = 0; k < c->n; k++) {
-        const int i = (int)floor((c->x[k] - 2) / width);
-        if (c->x[k] < 2 || i >= intervals || c->y[k] <= worst[i]) continue;
-        if (!isnan(worst[i])) at[i] = c->x[k];
-        worst[i] = measure_worse(worst[i], c->y[k]);
-    }
-    return measure_with(curve_max(c, POINTS), curve_slope(intervals, at, worst));
+    for (int m = 0; m < 2; m++) squeeze_add(list, methods[m], "linear", SQUEEZE_CELLS, 1, quick);
 }
 
 /* The largest error at the 20 whole and half PPC. */
@@ -42,12 +26,12 @@ static Measure worst_zero(const Curve *c)
 /* At how many of all numbers of particles is GIMP's error the smaller one? */
 static Measure share_better(const Curve *gimp, const Curve *mpm)
 {
-    Measure n = measure_sum_of(POINTS);
+    Measure n = measure_sum_of(SQUEEZE_POINTS);
     for (int k = 0; k < gimp->n; k++) {
         const Measure other = curve_at(mpm, gimp->x[k]);
         measure_add(&n, isnan(gimp->y[k] + other.value) ? NAN : gimp->y[k] < other.value);
     }
-    return measure_times(n, 1 / (double)POINTS);
+    return measure_times(n, 1 / (double)SQUEEZE_POINTS);
 }
 
 static void check(Check *c, const Results *r)
@@ -57,9 +41,9 @@ static void check(Check *c, const Results *r)
     curve = mpm;
     claim(c, "W07-5.significant",
           "Squeeze, linear field: the projection has an error: MPM's largest",
-          curve_max(&mpm, POINTS), 0.005, 0.02);
+          curve_max(&mpm, SQUEEZE_POINTS), 0.005, 0.02);
     claim(c, "W07-5.mpm-exponent", "Squeeze, linear field: MPM's worst errors fall as PPC^-2",
-          exponent(&curve, .5), -2.1, -1.9);
+          squeeze_exponent(&curve, .5, 0), -2.1, -1.9);
     claim(c, "W07-5.mpm-zeros",
           "Squeeze, linear field: MPM is exact at whole and half particles per cell",
           worst_zero(&curve), 0, 1e-13);
@@ -69,7 +53,7 @@ static void check(Check *c, const Results *r)
           "particles",
           share_better(&curve, &mpm), 0.95, 1);
     claim(c, "W07-5.gimp-exponent", "Squeeze, linear field: GIMP's worst errors fall as PPC^-3",
-          exponent(&curve, 1), -3.1, -2.9);
+          squeeze_exponent(&curve, 1, 0), -3.1, -2.9);
     claim(c, "W07-5.gimp-zeros",
           "Squeeze, linear field: GIMP is exact at whole and half particles per cell",
           worst_zero(&curve), 0, 1e-13);

@@ -6,20 +6,19 @@
  * is wrong by about h/3 whatever the particles, are checked for a few numbers of particles. */
 #include <math.h>
 #include "squeeze.h"
-#include "studies/tables/curves.h"
 
-enum { CELLS = 100, METHODS = 2, SAMPLES = 4, POINTS = 951 };
+enum { METHODS = 2, SAMPLES = 4 };
 static const char *const methods[METHODS] = {"ge_mpm", "ge_gimp"};
 static const int samples[SAMPLES] = {137, 250, 333, 777};
 
 static void cases(Cases *list, bool quick)
 {
     for (int m = 0; m < METHODS; m++) {
-        squeeze_add(list, methods[m], "linear", CELLS, 1, quick);
+        squeeze_add(list, methods[m], "linear", SQUEEZE_CELLS, 1, quick);
         for (int k = 0; k < SAMPLES; k++)
             case_add_with(list, "nodes", phrase("%s.%d", methods[m], samples[k]),
                           "run squeeze --method %s --cells %d --set particles=%d", methods[m],
-                          CELLS, samples[k]);
+                          SQUEEZE_CELLS, samples[k]);
     }
 }
 
@@ -35,14 +34,14 @@ static void add_nodes(Measure *worst, const Results *r, const char *method, int 
 static void check(Check *c, const Results *r)
 {
     static const char *const ids[METHODS] = {"W07-8.ge-mpm", "W07-8.ge-gimp"};
-    static const char *const says[METHODS] = {
-        "Squeeze, linear field: GE-MPM is exact: largest error over 50 to 1000 particles",
-        "Squeeze, linear field: GE-GIMP is exact: largest error over 50 to 1000 particles"};
-    Measure worst = measure_max_of(METHODS * SAMPLES * (CELLS + 1));
+    Measure worst = measure_max_of(METHODS * SAMPLES * (SQUEEZE_CELLS + 1));
     Curve curve;
     for (int m = 0; m < METHODS; m++) {
         curve_pick(&curve, r->rows, "ppc", "error_linf", "method=%s", methods[m]);
-        claim(c, ids[m], says[m], curve_max(&curve, POINTS + SAMPLES), 0, 1e-13);
+        claim(c, ids[m],
+              phrase("Squeeze, linear field: %s is exact: largest error over 50 to 1000 particles",
+                     engine_label(methods[m])),
+              curve_max(&curve, SQUEEZE_POINTS + SAMPLES), 0, 1e-13);
         for (int k = 0; k < SAMPLES; k++) add_nodes(&worst, r, methods[m], samples[k]);
     }
     claim(c, "W07-8.boundary",

@@ -2,7 +2,9 @@
  * particles, full and cut cells of WLS. Wallstedt and Guilkey (2011), fig. 1. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "studies/tables/curves.h"
+#include "studies/tables/patches.h"
 
 enum { CELLS = 8, FINE = 2000 /* samples a metre */, CORNERS = 200, BOXES = 100 };
 static const double late_inner = 0.375, late_outer = 0.9; /* of the exact solution at 10 ms */
@@ -29,26 +31,16 @@ static void cases(Cases *list, bool quick)
 /* Sum of the areas of all polygons in a file of patches, over the area there should be. */
 static Measure area_of(const Results *r, const char *part, double right)
 {
-    const char *path = results_path(r, part);
-    char line[256];
-    double twice = 0, first[2] = {0, 0}, last[2] = {0, 0};
-    int corners = 0;
-    FILE *f = path ? fopen(path, "r") : NULL;
-    if (!f) return measure(NAN, 0, CORNERS);
-    while (fgets(line, sizeof line, f)) {
-        int cell, k;
-        double x[2];
-        if (sscanf(line, "%d,%d,%lf,%lf", &cell, &k, &x[0], &x[1]) != 4) continue;
-        corners++;
-        if (k == 0)
-            first[0] = x[0], first[1] = x[1];
-        else /* a fan about the first corner */
-            twice +=
-                (last[0] - first[0]) * (x[1] - first[1]) - (x[0] - first[0]) * (last[1] - first[1]);
-        last[0] = x[0], last[1] = x[1];
+    Patches p = patches_open(results_path(r, part));
+    double twice = 0, first[2] = {0}, last[2] = {0};
+    while (patches_next(&p)) {
+        if (p.k == 0) memcpy(first, p.x, sizeof first);
+        /* a fan about the first corner */
+        twice +=
+            (last[0] - first[0]) * (p.x[1] - first[1]) - (p.x[0] - first[0]) * (last[1] - first[1]);
+        memcpy(last, p.x, sizeof last);
     }
-    fclose(f);
-    return measure(twice / 2 / right, corners, CORNERS);
+    return measure(p.corners ? twice / 2 / right : NAN, p.corners, CORNERS);
 }
 
 /* Lays GIMP's boxes (half width h/4 times Fxx, Fyy) onto samples of the plane. */

@@ -3,12 +3,9 @@
  * and 1.1. Wallstedt and Guilkey (2011), fig. 3. */
 #include <math.h>
 #include "studies/tables/curves.h"
+#include "studies/tables/spline.h"
 
-enum {
-    CELLS = 16,
-    SIDE = CELLS + 5,
-    INNER = 170 /* nodes inside the ring */
-};              /* nodes at 0 .. SIDE - 1 */
+enum { CELLS = 16, SIDE = CELLS + 5 /* nodes at 0 .. SIDE - 1 */, INNER = 170 /* in the ring */ };
 static const double trigger = 0.12;
 static const double triggers[] = {0.1, 0.12, 0.15, 0.2, 0.25};
 enum { TRIGGERS = sizeof triggers / sizeof *triggers };
@@ -23,13 +20,6 @@ static void cases(Cases *list, bool quick)
                  triggers[k]);
 }
 
-/* Quadratic spline of a distance in cells. */
-static double spline(double r)
-{
-    const double a = fabs(r);
-    return a < 0.5 ? 0.75 - a * a : a < 1.5 ? 0.5 * (1.5 - a) * (1.5 - a) : 0;
-}
-
 /* Largest weight of any point at its place before the step; images beyond the symmetry lines are
  * no nearer. */
 static void weigh(const Table *t, double most[SIDE][SIDE])
@@ -41,7 +31,8 @@ static void weigh(const Table *t, double most[SIDE][SIDE])
         const double n = (double)CELLS * stretch, x = n * X, y = n * Y;
         for (int j = 0; j < SIDE; j++)
             for (int i = 0; i < SIDE; i++)
-                most[j][i] = measure_worse(most[j][i], spline(x - i) * spline(y - j));
+                most[j][i] =
+                    measure_worse(most[j][i], spline_quadratic(x - i) * spline_quadratic(y - j));
     }
 }
 
@@ -71,7 +62,7 @@ static double roundness(double weight)
         double low = 0, high = 1.5;
         for (int k = 0; k < 60; k++) {
             const double r = (low + high) / 2;
-            if (spline(r * cos(a)) * spline(r * sin(a)) > weight)
+            if (spline_quadratic(r * cos(a)) * spline_quadratic(r * sin(a)) > weight)
                 low = r;
             else
                 high = r;
@@ -85,13 +76,8 @@ static double roundness(double weight)
 /* (largest - least)/largest error on the ring over these trigger weights. */
 static Measure spread(const Table *rows)
 {
-    double least = INFINITY;
-    Measure most = measure_max_of(TRIGGERS);
-    for (int k = 0; k < TRIGGERS; k++) {
-        const double e = select_value(rows, "error_linf", "cells=32 trigger=%g", triggers[k]).value;
-        least = measure_lesser(least, e);
-        measure_add_max(&most, e);
-    }
+    const Measure most = select_max(rows, "error_linf", TRIGGERS, "cells=32");
+    const double least = select_min(rows, "error_linf", TRIGGERS, "cells=32").value;
     return measure_with(most, (most.value - least) / most.value);
 }
 

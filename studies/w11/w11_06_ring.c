@@ -38,29 +38,19 @@ static Measure order(const Table *t, const char *method, const char *layout, dou
                             method, layout);
 }
 
-/* Largest and smallest error of the runs with CFL .05 .. most at N = 32. */
-static Measure ends_in_cfl(const Table *t, const char *method, const char *layout, double most,
-                           double *low)
-{
-    Curve c;
-    Measure high = measure_max_of(0);
-    *low = INFINITY;
-    for (int k = 0; k < STEPS; k++) high.needs += cfl[k] <= most + 1e-9;
-    curve_pick(&c, t, "cfl", "error_linf", "method=%s layout=%s cells=32", method, layout);
-    for (int k = 0; k < c.n; k++) {
-        if (c.x[k] > most + 1e-9) continue;
-        *low = measure_lesser(*low, c.y[k]);
-        measure_add_max(&high, c.y[k]);
-    }
-    return high;
-}
-
 /* (largest - smallest)/largest error of the runs with CFL .05 .. .6 at N = 32: one yardstick for
  * all methods. */
 static Measure share_in_cfl(const Table *t, const char *method, const char *layout)
 {
-    double low;
-    const Measure high = ends_in_cfl(t, method, layout, 0.6, &low);
+    const double most = 0.6 + 1e-9;
+    double low = INFINITY;
+    Measure high = measure_max_of(0);
+    for (int k = 0; k < STEPS; k++) high.needs += cfl[k] <= most;
+    EACH_ROW(row, t, "method=%s layout=%s cells=32", method, layout) {
+        if (select_number(t, row, "cfl") > most) continue;
+        low = measure_lesser(low, select_kept(t, row, "error_linf"));
+        measure_add_max(&high, select_kept(t, row, "error_linf"));
+    }
     return measure_with(high, (high.value - low) / high.value);
 }
 

@@ -21,11 +21,9 @@ static void cases(Cases *list, bool quick)
 /* Largest von Mises stress of one state [GPa]. */
 static Measure largest_mises(const Results *r, const char *method, const char *time)
 {
-    Measure most = measure_max_of(PARTICLES);
     const Table *t = results_run(r, "%s.%s", method, time);
-    for (int k = 0; k < t->nrow; k++)
-        measure_add_max(&most, select_number(t, k, "von_mises") / 1e9);
-    return most;
+    const Measure most = select_max(t, "von_mises", PARTICLES, " ");
+    return measure_with(most, most.value / 1e9);
 }
 
 static void check(Check *c, const Results *r)

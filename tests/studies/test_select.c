@@ -9,27 +9,13 @@
 #include "studies/select.h"
 #include "tests/check.h"
 
-static const char path[] = "scratch/select.csv";
-
-static Table *table_of(const char *text)
-{
-    FILE *f = fopen(path, "w");
-    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
-    fputs(text, f);
-    fclose(f);
-    Table *t = table_read(path, NULL);
-    CU_ASSERT_PTR_NOT_NULL_FATAL(t);
-    unlink(path);
-    return t;
-}
-
 static Table *runs(void)
 {
-    return table_of("method,cells,steps,params,status,e\n"
-                    "gimp,40,7,A=0.01;nu=0.3,ok,1\n"
-                    "mpm,40,7,A=0.01;nu=0.45,ok,2\n"
-                    "gimp,4e1,1,A=0.1;domain=stretch;nu=0.3;steps=1,energy_growth,3\n"
-                    "gimp,80,5,A=0.1;nu=.45,inverted,4\n");
+    return check_table("method,cells,steps,params,status,e\n"
+                       "gimp,40,7,A=0.01;nu=0.3,ok,1\n"
+                       "mpm,40,7,A=0.01;nu=0.45,ok,2\n"
+                       "gimp,4e1,1,A=0.1;domain=stretch;nu=0.3;steps=1,energy_growth,3\n"
+                       "gimp,80,5,A=0.1;nu=.45,inverted,4\n");
 }
 
 static void test_columns(void)
@@ -87,7 +73,7 @@ static void check_fault(const Table *t, const char *name, const char *where, con
 
 static void test_unknown(void)
 {
-    Table *t = runs(), *plain = table_of("method,error\ngimp,1\n");
+    Table *t = runs(), *plain = check_table("method,error\ngimp,1\n");
     check_fault(t, "e", "metod=gimp", "method");
     check_fault(t, "statis", "method=gimp", "status");
     check_fault(t, "e", "method=nobody arangement=centred", "arrangement");
