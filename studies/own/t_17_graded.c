@@ -24,7 +24,7 @@ static void write_errors(FILE *f, int m, int kind, int n, double ratio)
     graded_make(&g, n, kind ? 1 : ratio, kind ? ratio : 1);
     for (int field = 0; field < 2; field++)
         fprintf(f, "%s,%s,%s,%d,%.17g,%.17g\n", graded_names[m], kinds[kind], fields[field], n,
-                ratio, graded_error(&g, m, field));
+                ratio, graded_error(&g, (GradedMethod)m, field));
 }
 
 /* Largest difference of the weights here from the program's, on equal cells. */
@@ -33,7 +33,7 @@ static double largest_difference(void)
     Graded g;
     double most = 0;
     graded_make(&g, 12, 1, 1.3);
-    for (int m = 0; m < 2; m++)
+    for (GradedMethod m = 0; m < 2; m++)
         for (int p = 6; p < 18; p++) {
             double S, G;
             engine_1d.weight(graded_names[m], 12 * (g.at[p] - g.x[6]), 12 * g.half[p], &S, &G);
