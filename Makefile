@@ -165,7 +165,7 @@ $(BUILD)/tests/bench: $(patsubst %,$(BUILD)/d2/tests/%.o,tools/bench tools/bare_
   $(BASE_OBJECTS) $(call objects,2)
 	$(LINK)
 
-$(BUILD)/tests/palette: $(BUILD)/tests/tools/palette.o $(TEST_OBJECTS)
+$(BUILD)/tests/palette: $(BUILD)/d2/tests/tools/palette.o $(TEST_OBJECTS)
 	$(LINK)
 
 # Seeded faults in all parts of the program, a line each in tests/tools/mutants.list: the tests must see each.
