@@ -244,3 +244,4 @@ clean: ## remove the build folder
 	rm -rf $(BUILD)
 
 -include $(DEPENDS)
+$(DEPENDS): ; # written by the compiler; never made from sources of their own
