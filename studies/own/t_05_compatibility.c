@@ -61,16 +61,17 @@ static void write_cell(FILE *f, const Table *rows, int row)
     int k = pair_of_row(rows, row), g = grade(rows, row);
     const double drift = select_number(rows, row, "energy_drift");
     const int shade = g == 0 || g == 3 ? g : drift > 0 ? 3 + g : g; /* 4, 5: gained */
-    fprintf(f, "%d,%s,%s%s,%d,%d,%d,%d,", dim_of(rows, row), select_text(rows, row, "method"),
-            pairs[k].integrator, pairs[k].refresh ? " fresh" : "", k,
-            engine_line(scenes[dim_of(rows, row) - 1].engine, select_text(rows, row, "method")), g,
-            shade);
+    results_print(
+        f, "%d,%s,%s%s,%d,%d,%d,%d,", dim_of(rows, row), select_text(rows, row, "method"),
+        pairs[k].integrator, pairs[k].refresh ? " fresh" : "", k,
+        engine_line(scenes[dim_of(rows, row) - 1].engine, select_text(rows, row, "method")), g,
+        shade);
     if (g < 3) {
-        fprintf(f, "%.4g\n", drift > 0 ? 1 / (1 - drift) : 1 + drift);
+        results_print(f, "%.4g\n", drift > 0 ? 1 / (1 - drift) : 1 + drift);
         return;
     }
     for (const char *c = select_text(rows, row, "status"); *c; c++) putc(*c == '_' ? ' ' : *c, f);
-    fprintf(f, " %.2f T\n", end);
+    results_print(f, " %.2f T\n", end);
 }
 
 static void tables(const Results *r)

@@ -23,8 +23,8 @@ static void write_errors(FILE *f, int m, int kind, int n, double ratio)
     Graded g;
     graded_make(&g, n, kind ? 1 : ratio, kind ? ratio : 1);
     for (int field = 0; field < 2; field++)
-        fprintf(f, "%s,%s,%s,%d,%.17g,%.17g\n", graded_names[m], kinds[kind], fields[field], n,
-                ratio, graded_error(&g, m, field));
+        results_print(f, "%s,%s,%s,%d,%.17g,%.17g\n", graded_names[m], kinds[kind], fields[field],
+                      n, ratio, graded_error(&g, m, field));
 }
 
 /* Largest difference of the weights here from the program's, on equal cells. */
@@ -75,7 +75,7 @@ static void write_condition(FILE *f, const Results *r, int grading, int jitter)
     double *x = points_all(t, "X Y"), most = 0;
     for (int node = 0; node < 36 && t->nrow > 0; node++)
         most = fmax(most, condition(t->nrow, x, 11 + node % 6 * 2, 11 + node / 6 * 2));
-    if (t->nrow > 0) fprintf(f, "%d,%g,%.17g\n", grading, jitters[jitter], most);
+    if (t->nrow > 0) results_print(f, "%d,%g,%.17g\n", grading, jitters[jitter], most);
     free(x);
 }
 
@@ -88,7 +88,7 @@ static void tables(const Results *r)
             if (grids[k] != 48) write_errors(f, m / 2, m % 2, grids[k], 1.5);
     }
     f = results_write(r, "program", "cells,difference");
-    fprintf(f, "12,%.17g\n", largest_difference());
+    results_print(f, "12,%.17g\n", largest_difference());
     f = results_write(r, "condition", "grading,jitter,condition");
     for (int grading = 1; grading < 3; grading++)
         for (int k = 0; k < JITTERS; k++) write_condition(f, r, grading, k);
