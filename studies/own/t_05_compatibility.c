@@ -80,30 +80,25 @@ static void tables(const Results *r)
     for (int row = 0; row < r->rows->nrow; row++) write_cell(f, r->rows, row);
 }
 
-/* Is this row one of a method's in one dimension, in columns from .. to? */
-static bool is_among(const Table *rows, int row, int dim, const char *method, int from, int to)
-{
-    const int k = pair_of_row(rows, row);
-    return dim_of(rows, row) == dim && k >= from && k <= to &&
-           select_is(rows, row, "method", method);
-}
+/* A method's row in one dimension, with a pair of `pairs`. */
+static const char of_pair[] = "problem=%s method=%s integrator=%s refresh=%d";
 
-/* The largest energy drift of them; there are to - from + 1. */
+/* The largest energy drift of a method with the pairs from .. to. */
 static Measure largest_drift(const Table *rows, int dim, const char *method, int from, int to)
 {
     Measure most = measure_max_of(to - from + 1);
-    for (int row = 0; row < rows->nrow; row++)
-        if (is_among(rows, row, dim, method, from, to))
+    for (const Pair *p = pairs + from; p <= pairs + to; p++)
+        EACH_ROW(row, rows, of_pair, scenes[dim - 1].problem, method, p->integrator, p->refresh)
             measure_add_max(&most, fabs(select_kept(rows, row, "energy_drift")));
     return most;
 }
 
-/* How many of them were lost, or ended with more than `most` of their energy gained. */
+/* How many of these runs were lost, or ended with more than `most` of their energy gained. */
 static Measure losses(const Table *rows, int dim, const char *method, int from, int to, double most)
 {
     Measure lost = measure_sum_of(to - from + 1);
-    for (int row = 0; row < rows->nrow; row++)
-        if (is_among(rows, row, dim, method, from, to))
+    for (const Pair *p = pairs + from; p <= pairs + to; p++)
+        EACH_ROW(row, rows, of_pair, scenes[dim - 1].problem, method, p->integrator, p->refresh)
             measure_add(&lost, select_is_lost(rows, row) ||
                                    select_number(rows, row, "energy_drift") > most);
     return lost;
