@@ -184,6 +184,7 @@ bool select_meets(const Table *t, int row, const char *where, ...)
 int select_next(const Table *t, int row, const char *where, ...)
 {
     Conditions c;
+    if (!t) return -1;
     READ_CONDITIONS(&c, t, where);
     return next(&c, t, row);
 }

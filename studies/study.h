@@ -65,6 +65,10 @@ void case_add_each(Cases *cases, const char *kind, const char *part, const char 
 FILE *results_write(const Results *results, const char *part, const char *header);
 FILE *results_write_notes(const Results *results); /* NAME.var, for gnuplot */
 
+/* Writes cells of such a table as fprintf does (%s, %d, %g and %f, with a precision or without),
+ * but leaves a cell empty that has no number: NAN, or an infinite one. */
+void results_print(FILE *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 /* NAME.PART.csv, which tables() has written; not to be freed. If it is not there, all claims of the
  * study FAIL, and this table has no rows. */
 const Table *results_part(const Results *results, const char *part);

@@ -9,23 +9,16 @@ typedef const Info *const *InfoList;
 enum { METHODS, PROBLEMS, STUDIES, INTEGRATORS, KINDS };
 static const char *const kinds[KINDS] = {"methods", "problems", "studies", "integrators"};
 
-static const Info *info_in(InfoList list, const char *name)
-{
-    for (; *list; list++)
-        if (strcmp((*list)->name, name) == 0) return *list;
-    return NULL;
-}
-
 /* One line: kind (in the singular), name, every dimension that knows it, what it is. */
 static void print_entry(int kind, const char *name)
 {
     const Info *info = NULL;
     printf("%.*s\t%s\t", (int)strlen(kinds[kind]) - 1, kinds[kind], name);
     for (const Engine *const *e = engines; *e; e++) {
-        const Info *here = info_in(kind == METHODS    ? (*e)->methods
-                                   : kind == PROBLEMS ? (*e)->problems
-                                                      : (*e)->integrators,
-                                   name);
+        const Info *here = engine_info_in(kind == METHODS    ? (*e)->methods
+                                          : kind == PROBLEMS ? (*e)->problems
+                                                             : (*e)->integrators,
+                                          name);
         if (here) printf("%s%d", info ? "," : "", (*e)->dim);
         if (here) info = here;
     }

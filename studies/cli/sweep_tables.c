@@ -157,21 +157,12 @@ static void widen(Range *r, double value)
     r->high = fmax(r->high, value);
 }
 
-static void number(FILE *f, double x, const char *after)
-{
-    if (isfinite(x)) fprintf(f, "%.10g", x);
-    fputs(after, f);
-}
-
 static void write_curves(FILE *f, const Curves *c)
 {
     for (Part p = {0}; next_part(c, &p);)
-        for (int row = p.first; row < p.first + p.n; row++) {
-            fprintf(f, "%d,", p.series);
-            number(f, x_of(c, row), ",");
-            number(f, y_of(c, row), ",");
-            fprintf(f, "%s\n", select_text(c->rows, row, "status"));
-        }
+        for (int row = p.first; row < p.first + p.n; row++)
+            results_print(f, "%d,%.10g,%.10g,%s\n", p.series, x_of(c, row), y_of(c, row),
+                          select_text(c->rows, row, "status"));
 }
 
 /* The values that a curve's runs share, as asked for; where another number of particles fits into
@@ -198,9 +189,7 @@ static void write_orders(FILE *f, const Curves *c)
         curve_title(c, &p, text);
         fprintf(f, "%d,", p.series);
         table_put_cell(f, text);
-        fprintf(f, ",%s,%s,%d,%d,", c->x, c->y, p.n, o.lost);
-        number(f, o.slope, ",");
-        number(f, o.error, ",");
+        results_print(f, ",%s,%s,%d,%d,%.10g,%.10g,", c->x, c->y, p.n, o.lost, o.slope, o.error);
         if (o.reason[0])
             table_put_cell(f, o.reason);
         else

@@ -2,6 +2,8 @@
  * of them, so that a page that fails leaves none. */
 #include "results.h"
 
+#include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include "cases.h"
@@ -81,6 +83,36 @@ FILE *results_write_notes(const Results *r)
 {
     Part *p = add_part(r, path_of(r, "", "var"));
     return p->f = must(open_memstream(&p->text, &p->size));
+}
+
+/* One conversion with its argument. */
+static void print_cell(FILE *f, char conversion, int precision, va_list *args)
+{
+    if (conversion == 's')
+        fputs(va_arg(*args, const char *), f);
+    else if (conversion == 'd')
+        fprintf(f, "%d", va_arg(*args, int));
+    else {
+        const double x = va_arg(*args, double);
+        if (isfinite(x)) fprintf(f, conversion == 'g' ? "%.*g" : "%.*f", precision, x);
+    }
+}
+
+void results_print(FILE *table, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    for (const char *at = format; *at; at++) {
+        char *end = NULL;
+        if (*at != '%') {
+            putc(*at, table);
+            continue;
+        }
+        const long precision = at[1] == '.' ? strtol(at + 2, &end, 10) : -1; /* -1: none given */
+        at = end ? end : at + 1;
+        print_cell(table, *at, (int)precision, &args);
+    }
+    va_end(args);
 }
 
 /* Puts the file on disk, unless something has failed before. */

@@ -95,7 +95,7 @@ static void add_run(Span *s, FILE *dots, const Results *r, const char *method, i
         s->high = measure_worse(s->high, f[0]);
         for (int a = 0; a < 3; a++) s->largest = measure_worse(s->largest, fabs(f[a]));
         s->nodes++;
-        if (dots) fprintf(dots, "%s,%s,%.8g,%.8g\n", method, kinds[kind].name, x[0], f[0]);
+        if (dots) results_print(dots, "%s,%s,%.8g,%.8g\n", method, kinds[kind].name, x[0], f[0]);
     }
 }
 
@@ -133,9 +133,9 @@ static void tables(const Results *r)
                 for (int o = 0; o < OFFSETS; o++)
                     add_run(&s, k == 0 && i == 0 ? dots : NULL, r, m->name, k, i, o);
                 if (s.nodes == 0) continue;
-                fprintf(f, "%s,%s,%d,%d,%.10g,%.10g,%s\n", m->name, kinds[k].name,
-                        kinds[k].cells[i], s.nodes, s.largest, s.high - s.low,
-                        s.runs == (r->quick || i ? 1 : OFFSETS) ? "ok" : "lost");
+                results_print(f, "%s,%s,%d,%d,%.10g,%.10g,%s\n", m->name, kinds[k].name,
+                              kinds[k].cells[i], s.nodes, s.largest, s.high - s.low,
+                              s.runs == (r->quick || i ? 1 : OFFSETS) ? "ok" : "lost");
             }
     write_grades(grades_write(r), results_part(r, "force"));
 }

@@ -59,11 +59,10 @@ static void write_one(FILE *f, const Results *r, const char *method, int dim, in
 {
     const char *part = part_name(method, dim, variant);
     const Table *t = results_ended(r, "%s", part);
-    for (int k = 0; k < SHOWN; k++)
-        if (shown[k] < t->nrow)
-            fprintf(f, "%s,%d,%s,%d,%.10g,%s\n", method, dim, variants[variant].name, shown[k],
-                    sqrt(select_number(t, shown[k], "kinetic") / select_number(t, 0, "kinetic")),
-                    results_status(r, part));
+    for (int k = 0; k < SHOWN && shown[k] < t->nrow; k++)
+        results_print(f, "%s,%d,%s,%d,%.10g,%s\n", method, dim, variants[variant].name, shown[k],
+                      sqrt(select_number(t, shown[k], "kinetic") / select_number(t, 0, "kinetic")),
+                      results_status(r, part));
 }
 
 /* Writes the largest amplitude of the mode at any instant, for every offset of the block. */
@@ -74,9 +73,9 @@ static void write_places(FILE *f, const Results *r)
             const Table *t = results_ended(r, "%s", place_name(dim, k));
             const double most = select_largest(t, "kinetic", 1).value;
             if (t->nrow > 0)
-                fprintf(f, "%d,%.2f,%.10g,%s\n", dim, k / (double)PLACES,
-                        sqrt(most / select_number(t, 0, "kinetic")),
-                        results_status(r, place_name(dim, k)));
+                results_print(f, "%d,%.2f,%.10g,%s\n", dim, k / (double)PLACES,
+                              sqrt(most / select_number(t, 0, "kinetic")),
+                              results_status(r, place_name(dim, k)));
         }
 }
 

@@ -89,11 +89,11 @@ static void write_one(FILE *curve, FILE *onset, const Results *r, const char *me
         F = pow(1 + rate * BLOCK_SPEED * dt, i);
         ratio = law(select_number(t, i, "volume") / V0) / law(F);
         if (isnan(lost) && F > 1.2 && !(fabs(ratio - 1) <= wrong)) lost = F;
-        if (i % EVERY == 0 || i + 1 == t->nrow) fprintf(curve, "%s,%.6g,%.10g\n", head, F, ratio);
+        if (i % EVERY == 0 || i + 1 == t->nrow)
+            results_print(curve, "%s,%.6g,%.10g\n", head, F, ratio);
     }
-    fprintf(onset, "%s,%.6g,%s,%.10g,%s,%s,%s\n", head, F, isnan(lost) ? "" : phrase("%.6g", lost),
-            fabs(ratio - 1), isnan(force) ? "" : phrase("%.10g", force), results_status(r, part),
-            at_rest);
+    results_print(onset, "%s,%.6g,%.6g,%.10g,%.10g,%s,%s\n", head, F, lost, fabs(ratio - 1), force,
+                  results_status(r, part), at_rest);
 }
 
 static void write_marks(FILE *f, const Table *t)

@@ -92,16 +92,16 @@ static void write_line(FILE *f, const Results *r, int row)
     const double scale = scene == PLATE ? M_PI * shear_modulus(nu) * amplitude : 0.01 * beam_E;
     const int share = select_number(r->rows, row, "elements") > 0 ? 2 : 1;
     if (scene == BEAM && cells != COARSE) return;
-    fprintf(f, "%s,%s,%g,", scenes[scene], method, nu);
+    results_print(f, "%s,%s,%g,", scenes[scene], method, nu);
     if (select_is_lost(r->rows, row)) {
         fputs("lost,,\n", f);
         return;
     }
     Masses all = samples_of(r, scene, method, cells, nu);
     Masses fine = samples_of(r, BEAM, "fem", r->quick ? FINE / 4 : FINE, nu);
-    fprintf(f, "ok,%.10g,%.10g\n",
-            scene == PLATE ? mode_ratio(&all) : sinking(&all) / sinking(&fine),
-            masses_checkerboard(&all, share, 1.5) / scale);
+    results_print(f, "ok,%.10g,%.10g\n",
+                  scene == PLATE ? mode_ratio(&all) : sinking(&all) / sinking(&fine),
+                  masses_checkerboard(&all, share, 1.5) / scale);
     masses_free(&all);
     masses_free(&fine);
 }

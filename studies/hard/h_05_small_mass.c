@@ -88,10 +88,10 @@ static void write_point(FILE *f, const Table *rows, const Ladder *l)
     while (k < EDGES * scenes[dim].n - 1 && fabs(placement(dim, k).moved - moved) > 1e-9) k++;
     const Placement p = placement(dim, k);
     const bool some = ladder_window(l, &low, &high);
-    fprintf(f, "%d,%s,%s,%d,%g,%.6g,%.6g\n", dim + 1, select_text(rows, l->row[0], "method"),
-            edges[p.edge].name, p.edge, p.depth,
-            some ? scale * select_number(rows, l->row[high], "dt") : 0,
-            some && low > 0 ? scale * select_number(rows, l->row[low - 1], "dt") : 0);
+    results_print(f, "%d,%s,%s,%d,%g,%.6g,%.6g\n", dim + 1, select_text(rows, l->row[0], "method"),
+                  edges[p.edge].name, p.edge, p.depth,
+                  some ? scale * select_number(rows, l->row[high], "dt") : 0,
+                  some && low > 0 ? scale * select_number(rows, l->row[low - 1], "dt") : 0);
 }
 
 /* The least critical step over all depths and dimensions: .3 is the usual CFL number. */
@@ -115,8 +115,8 @@ static void tables(const Results *r)
     EACH_METHOD(m, &engine_1d)
         for (int k = 0; k < EDGES * scenes[0].n; k++) {
             const Placement p = placement(0, k);
-            fprintf(omega, "1,%s,%s,%d,%g,%.6g\n", m->name, edges[p.edge].name, p.edge, p.depth,
-                    omega_step_limit(m->name, scenes[0].cells, PER_CELL, p.last));
+            results_print(omega, "1,%s,%s,%d,%g,%.6g\n", m->name, edges[p.edge].name, p.edge,
+                          p.depth, omega_step_limit(m->name, scenes[0].cells, PER_CELL, p.last));
         }
     write_marks(grades_write(r), results_part(r, "points"));
 }

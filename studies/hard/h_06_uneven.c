@@ -44,13 +44,12 @@ static void write_points(FILE *f, const Table *rows)
         const double ppc = select_number(rows, row, "ppc");
         const int dim = select_is(rows, row, "problem", scenes[0].problem) ? 1 : 2;
         const double per_axis = round(pow(ppc, 1.0 / dim) * 4) / 4;
-        fprintf(f, "%s,%s,%s,%s,%s,%s,%s\n", isnan(jitter) ? "H-7" : "H-6",
-                select_text(rows, row, "problem"), select_text(rows, row, "method"),
-                isnan(jitter) ? phrase(",%.4g", per_axis)
-                              : phrase("%g,%g", select_number(rows, row, "grading"), jitter),
-                select_text(rows, row, "error_linf"),
-                select_is_lost(rows, row) ? select_text(rows, row, "status") : "ok",
-                select_text(rows, row, "fallbacks"));
+        results_print(f, "%s,%s,%s,%g,%g,%s,%s,%s\n", isnan(jitter) ? "H-7" : "H-6",
+                      select_text(rows, row, "problem"), select_text(rows, row, "method"),
+                      isnan(jitter) ? NAN : select_number(rows, row, "grading"),
+                      isnan(jitter) ? per_axis : jitter, select_text(rows, row, "error_linf"),
+                      select_is_lost(rows, row) ? select_text(rows, row, "status") : "ok",
+                      select_text(rows, row, "fallbacks"));
     }
 }
 

@@ -71,14 +71,13 @@ static void write_one(FILE *f, const Results *r, int row)
     const double turns = steps * dt / scenes[s].turn, w = 2 * M_PI / FREE_TURN;
     const MassSums end = masses_sum(results_ended(r, "%s", part_name(s, method, v)), middle);
     if (end.n == 0) return;
-    fprintf(f, "%s,%s,%s,%s,%.6g,%.10g,%.10g,%.10g,%.10g,", scenes[s].name, method,
-            variants[v].name, select_is_lost(rows, row) ? select_text(rows, row, "status") : "ok",
-            turns, end.J, end.least_J, end.most_J, end.least_Fxx);
-    if (s == FREE)
-        fprintf(f, ",%.10g\n",
-                1 - pow(measure_worse(end.angular / (w * end.inertia), 0), 1 / turns));
-    else
-        fprintf(f, "%.10g,\n", pow(end.J, 1 / turns) / exp(2 * M_PI * PER_STEP));
+    const double growth = pow(end.J, 1 / turns) / exp(2 * M_PI * PER_STEP);
+    const double loss = 1 - pow(measure_worse(end.angular / (w * end.inertia), 0), 1 / turns);
+    results_print(f, "%s,%s,%s,%s,%.6g,%.10g,%.10g,%.10g,%.10g,%.10g,%.10g\n", scenes[s].name,
+                  method, variants[v].name,
+                  select_is_lost(rows, row) ? select_text(rows, row, "status") : "ok", turns, end.J,
+                  end.least_J, end.most_J, end.least_Fxx, is_free ? NAN : growth,
+                  is_free ? loss : NAN);
 }
 
 static const char where[] = "scene=%s method=%s variant=%s";

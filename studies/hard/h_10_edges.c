@@ -31,9 +31,9 @@ static void write_edges(FILE *f, const Table *rows)
             Curve c;
             curve_pick(&c, rows, "h", "error_linf", "%s", where);
             if (c.n > 0)
-                fprintf(f, "%s,%s,%s,%.10g,%.6g,%g,%d\n", bodies[b], m->name, lost ? "lost" : "ok",
-                        c.y[c.n - 1], curve_slope(c.n, c.x, c.y),
-                        select_max(rows, "fallbacks", 1, "%s", where).value, c.n);
+                results_print(f, "%s,%s,%s,%.10g,%.6g,%g,%d\n", bodies[b], m->name,
+                              lost ? "lost" : "ok", c.y[c.n - 1], curve_slope(c.n, c.x, c.y),
+                              select_max(rows, "fallbacks", 1, "%s", where).value, c.n);
         }
 }
 

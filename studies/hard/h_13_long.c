@@ -72,8 +72,8 @@ static void write_drift(FILE *f, const Table *rows, int scene, const Info *metho
         loss = measure_worse(loss, isnan(drift) ? INFINITY : -drift);
     }
     if (n > 0)
-        fprintf(f, "%s,%s,%s,%d,%.10g,%.10g,%d,%s\n", scenes[scene].problem, method->name,
-                variants[variant].name, lost, gain, loss, n, lost ? "lost" : "ok");
+        results_print(f, "%s,%s,%s,%d,%.10g,%.10g,%d,%s\n", scenes[scene].problem, method->name,
+                      variants[variant].name, lost, gain, loss, n, lost ? "lost" : "ok");
 }
 
 /* The largest gain or loss in both scenes; NAN if a run was lost. */
@@ -115,11 +115,12 @@ static void write_ledger(FILE *f, const Results *r)
                 const Table *t = results_ended(r, "%s", part_name(s, m, v));
                 const double most = select_largest(t, "total", 1).value;
                 for (int k = 0; k < t->nrow; k += EVERY)
-                    fprintf(f, "%s,%s,%s,%.6g,%.6g\n", scenes[s].problem, m, variants[v].name,
-                            select_number(t, k, "t"),
-                            (select_number(t, k, "total") - select_number(t, k, "external_work") -
-                             select_number(t, 0, "total")) /
-                                most);
+                    results_print(f, "%s,%s,%s,%.6g,%.6g\n", scenes[s].problem, m, variants[v].name,
+                                  select_number(t, k, "t"),
+                                  (select_number(t, k, "total") -
+                                   select_number(t, k, "external_work") -
+                                   select_number(t, 0, "total")) /
+                                      most);
             }
 }
 

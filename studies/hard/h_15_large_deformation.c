@@ -97,16 +97,16 @@ static void tables(const Results *r)
         line += strcmp(name, last) != 0;
         last = name;
         if (end.column >= 0)
-            fprintf(grid, "%s,%d,%d,%d,%s,%s\n", name, end.column, line, end.grade, end.text,
-                    end.column < BAR ? ""
-                                     : phrase("%.5g", stretch_of(r, method, rules[rule].name)));
+            results_print(grid, "%s,%d,%d,%d,%s,%.5g\n", name, end.column, line, end.grade,
+                          end.text,
+                          end.column < BAR ? NAN : stretch_of(r, method, rules[rule].name));
         if (end.column == HALF && rule == 0)
             grade_add(marks, "H-15", method, mark_of[end.grade],
                       end.grade > 2 ? "vortex, G = .5: lost" : "vortex, G = .5: error %.2g m",
                       error);
         if (select_meets(r->rows, row, "G=0.5"))
-            fprintf(errors, "%s,%g,%.10g,%s\n", name, select_number(r->rows, row, "cells"), error,
-                    select_is_lost(r->rows, row) ? "lost" : "ok");
+            results_print(errors, "%s,%g,%.10g,%s\n", name, select_number(r->rows, row, "cells"),
+                          error, select_is_lost(r->rows, row) ? "lost" : "ok");
     }
 }
 

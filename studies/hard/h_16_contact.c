@@ -93,15 +93,16 @@ static void tables(const Results *r)
     FILE *f = results_write(r, "bars", "method,cells,error,exchanged");
     EACH_METHOD_OF(m, &engine_2d, r->rows)
         for (int n = 25; n <= (r->quick ? 50 : 400); n *= 2)
-            fprintf(f, "%s,%d,%.17g,%.17g\n", m->name, n, bars_error(r, m->name, n).value,
-                    exchanged(r, m->name, n).value);
+            results_print(f, "%s,%d,%.17g,%.17g\n", m->name, n, bars_error(r, m->name, n).value,
+                          exchanged(r, m->name, n).value);
     f = results_write(r, "gaps", "method,gap");
     EACH_METHOD_OF(m, &engine_2d, r->rows)
-        fprintf(f, "%s,%.17g\n", m->name, early_gap(r, m->name, r->quick ? 20 : 100).value);
+        results_print(f, "%s,%.17g\n", m->name, early_gap(r, m->name, r->quick ? 20 : 100).value);
     f = results_write(r, "slides", "mu,a,exact");
     for (int k = 0; k < MUS; k++)
-        fprintf(f, "%g,%.17g,%.17g\n", mus[k], acceleration(r, mus[k], r->quick ? 8 : 16).value,
-                fmax(0, rigid_acceleration(mus[k])));
+        results_print(f, "%g,%.17g,%.17g\n", mus[k],
+                      acceleration(r, mus[k], r->quick ? 8 : 16).value,
+                      fmax(0, rigid_acceleration(mus[k])));
     f = grades_write(r);
     EACH_METHOD_OF(m, &engine_2d, r->rows) {
         const double back = energy_back(r, m->name).value;

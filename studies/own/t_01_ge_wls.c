@@ -82,7 +82,7 @@ static void tables(const Results *r)
                 const double share =
                     share_of(r->rows, problem[p], rivals[m], "error_linf", cells[k]).value;
                 if (!isnan(share))
-                    fprintf(f, "%s,%s,%d,%.17g\n", problem[p], rivals[m], cells[k], share);
+                    results_print(f, "%s,%s,%d,%.17g\n", problem[p], rivals[m], cells[k], share);
             }
 }
 

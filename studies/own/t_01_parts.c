@@ -128,7 +128,8 @@ static void write_ring(FILE *f, const Table *rows, int part)
         const Measure fem =
             run_row_value(rows, "error_linf", "run ring --method fem --cells %d", cells[k]);
         const double share = measure_ratio(value_of(rows, RING, cells[k], part), fem).value;
-        if (!isnan(share)) fprintf(f, "%s,share,%d,%.17g\n", part_label(part), cells[k], share);
+        if (!isnan(share))
+            results_print(f, "%s,share,%d,%.17g\n", part_label(part), cells[k], share);
     }
 }
 
@@ -139,7 +140,8 @@ static void tables(const Results *r)
         write_ring(f, r->rows, part);
         for (int s = 0; s < SCENES && part != WHOLE; s++) {
             const Measure gain = measure_ratio(scene_value(r, s, part), scene_value(r, s, WHOLE));
-            fprintf(f, "%s,%s,%d,%.17g\n", part_label(part), scenes[s].problem, s, gain.value);
+            results_print(f, "%s,%s,%d,%.17g\n", part_label(part), scenes[s].problem, s,
+                          gain.value);
         }
     }
 }

@@ -69,8 +69,8 @@ static void tables(const Results *r)
     for (int m = 0; m < METHODS; m++)
         for (int k = 0; k < (r->quick ? 2 : CUT_MESHES); k++) {
             const char *part = phrase("%s.%d", cut_methods[m], cut_cells[k]);
-            fprintf(f, "%s,%d,%.17g,%s\n", cut_methods[m], cut_cells[k],
-                    cut_error(results_path(r, part), cut_cells[k]), results_status(r, part));
+            results_print(f, "%s,%d,%.17g,%s\n", cut_methods[m], cut_cells[k],
+                          cut_error(results_path(r, part), cut_cells[k]), results_status(r, part));
         }
 }
 

@@ -61,16 +61,17 @@ static void write_cell(FILE *f, const Table *rows, int row)
     int k = pair_of_row(rows, row), g = grade(rows, row);
     const double drift = select_number(rows, row, "energy_drift");
     const int shade = g == 0 || g == 3 ? g : drift > 0 ? 3 + g : g; /* 4, 5: gained */
-    fprintf(f, "%d,%s,%s%s,%d,%d,%d,%d,", dim_of(rows, row), select_text(rows, row, "method"),
-            pairs[k].integrator, pairs[k].refresh ? " fresh" : "", k,
-            engine_line(scenes[dim_of(rows, row) - 1].engine, select_text(rows, row, "method")), g,
-            shade);
+    results_print(
+        f, "%d,%s,%s%s,%d,%d,%d,%d,", dim_of(rows, row), select_text(rows, row, "method"),
+        pairs[k].integrator, pairs[k].refresh ? " fresh" : "", k,
+        engine_line(scenes[dim_of(rows, row) - 1].engine, select_text(rows, row, "method")), g,
+        shade);
     if (g < 3) {
-        fprintf(f, "%.4g\n", drift > 0 ? 1 / (1 - drift) : 1 + drift);
+        results_print(f, "%.4g\n", drift > 0 ? 1 / (1 - drift) : 1 + drift);
         return;
     }
     for (const char *c = select_text(rows, row, "status"); *c; c++) putc(*c == '_' ? ' ' : *c, f);
-    fprintf(f, " %.2f T\n", end);
+    results_print(f, " %.2f T\n", end);
 }
 
 static void tables(const Results *r)
@@ -79,30 +80,25 @@ static void tables(const Results *r)
     for (int row = 0; row < r->rows->nrow; row++) write_cell(f, r->rows, row);
 }
 
-/* Is this row one of a method's in one dimension, in columns from .. to? */
-static bool is_among(const Table *rows, int row, int dim, const char *method, int from, int to)
-{
-    const int k = pair_of_row(rows, row);
-    return dim_of(rows, row) == dim && k >= from && k <= to &&
-           select_is(rows, row, "method", method);
-}
+/* A method's row in one dimension, with a pair of `pairs`. */
+static const char of_pair[] = "problem=%s method=%s integrator=%s refresh=%d";
 
-/* The largest energy drift of them; there are to - from + 1. */
+/* The largest energy drift of a method with the pairs from .. to. */
 static Measure largest_drift(const Table *rows, int dim, const char *method, int from, int to)
 {
     Measure most = measure_max_of(to - from + 1);
-    for (int row = 0; row < rows->nrow; row++)
-        if (is_among(rows, row, dim, method, from, to))
+    for (const Pair *p = pairs + from; p <= pairs + to; p++)
+        EACH_ROW(row, rows, of_pair, scenes[dim - 1].problem, method, p->integrator, p->refresh)
             measure_add_max(&most, fabs(select_kept(rows, row, "energy_drift")));
     return most;
 }
 
-/* How many of them were lost, or ended with more than `most` of their energy gained. */
+/* How many of these runs were lost, or ended with more than `most` of their energy gained. */
 static Measure losses(const Table *rows, int dim, const char *method, int from, int to, double most)
 {
     Measure lost = measure_sum_of(to - from + 1);
-    for (int row = 0; row < rows->nrow; row++)
-        if (is_among(rows, row, dim, method, from, to))
+    for (const Pair *p = pairs + from; p <= pairs + to; p++)
+        EACH_ROW(row, rows, of_pair, scenes[dim - 1].problem, method, p->integrator, p->refresh)
             measure_add(&lost, select_is_lost(rows, row) ||
                                    select_number(rows, row, "energy_drift") > most);
     return lost;

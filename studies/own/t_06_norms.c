@@ -89,8 +89,8 @@ static void write_norms(FILE *f, const Results *r, const Ladder *l, const char *
         n++;
     }
     for (int m = 0; m < NORMS && n > 0; m++)
-        fprintf(f, "%s,%s,%d,%s,%.10g,%.6g,%d\n", l->problem, method, m, norms[m], usual[m],
-                curve_slope(n, h, error[m]), n);
+        results_print(f, "%s,%s,%d,%s,%.10g,%.6g,%d\n", l->problem, method, m, norms[m], usual[m],
+                      curve_slope(n, h, error[m]), n);
 }
 
 /* FEM beside a method on the ring. */
@@ -101,8 +101,8 @@ static void write_same(FILE *f, const Results *r, const char *method, int cells)
     const Table *particles = results_run(r, "%s", part_name(l, method, cells));
     const CloudErrors e = cloud_compare(mesh, particles, 1.0 / cells);
     if (e.pairs)
-        fprintf(f, "%s,%d,%d,%d,%.10g,%.10g,%.10g,%.10g,%.10g,%.10g\n", method, cells, e.nodes,
-                e.pairs, e.all[0], e.all[1], e.linf[0], e.linf[1], e.l1[0], e.l1[1]);
+        results_print(f, "%s,%d,%d,%d,%.10g,%.10g,%.10g,%.10g,%.10g,%.10g\n", method, cells,
+                      e.nodes, e.pairs, e.all[0], e.all[1], e.linf[0], e.linf[1], e.l1[0], e.l1[1]);
 }
 
 static void tables(const Results *r)

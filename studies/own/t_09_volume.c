@@ -131,8 +131,8 @@ static int write_shape(FILE *f, int shape, int mask, int number)
         for (int c = 0; c <= face->sides; c++) {
             double x[3];
             project(p.x[face->vertex[c % face->sides]], x);
-            fprintf(f, "%d,%d,%d,%.6g,%.6g\n", shape, number, face->cut, x[0] + 2 * (shape % 5),
-                    x[1] - 1.9 * (shape / 5));
+            results_print(f, "%d,%d,%d,%.6g,%.6g\n", shape, number, face->cut,
+                          x[0] + 2 * (shape % 5), x[1] - 1.9 * (shape / 5));
         }
     }
     return number;
@@ -145,8 +145,8 @@ static void tables(const Results *r)
     FILE *shapes = results_write(r, "shapes", "shape,face,cut,x,y");
     for (int rule = 0; rule < RULES; rule++)
         for (int k = 0; k < (r->quick ? 2 : MESHES); k++)
-            fprintf(errors, "%s,%d,%.17g\n", rules[rule], cells[k],
-                    volume_error(r, rule, cells[k]));
+            results_print(errors, "%s,%d,%.17g\n", rules[rule], cells[k],
+                          volume_error(r, rule, cells[k]));
     const int found = find_cases(mask);
     for (int k = 0; k < found; k++) number = write_shape(shapes, k, mask[k], number);
 }

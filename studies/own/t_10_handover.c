@@ -76,9 +76,9 @@ static void tables(const Results *r)
         const Table *t = results_ended(r, "%s", runs[k].part);
         const double numbers[] = {runs[k].at, largest_error(t), jump(t, runs[k].at),
                                   select_last(t, "t")};
-        fprintf(f, "%s,%s,", runs[k].scene, runs[k].part);
+        results_print(f, "%s,%s,", runs[k].scene, runs[k].part);
         for (int n = 0; n < 4; n++) info_number_write(f, numbers[n]), putc(',', f);
-        fprintf(f, "%s\n", results_status(r, runs[k].part));
+        results_print(f, "%s\n", results_status(r, runs[k].part));
     }
 }
 

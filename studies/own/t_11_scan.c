@@ -48,7 +48,7 @@ static void write_surface(FILE *f, const Results *r, const char *edge, int side)
         sum += away * away;
         n++;
     }
-    if (n > 0) fprintf(f, "%s,%d,%d,%.17g\n", edge, side, n, sqrt(sum / n));
+    if (n > 0) results_print(f, "%s,%d,%d,%.17g\n", edge, side, n, sqrt(sum / n));
 }
 
 /* Nominal stress of the sample, which is 1 m wide: the platens' work over their way, each interval
@@ -64,8 +64,8 @@ static void write_stress(FILE *f, const Results *r, const char *method)
         const double work =
             select_number(t, k, "external_work") - select_number(t, last, "external_work");
         const double way = 0.1 * (to - from) / t_end; /* both platens, of a height of 1 m */
-        fprintf(f, "%s,%.17g,%.17g,%.17g\n", method, 0.05 * (from + to) / t_end, work / way,
-                select_number(t, k, "total") - select_number(t, k, "external_work"));
+        results_print(f, "%s,%.17g,%.17g,%.17g\n", method, 0.05 * (from + to) / t_end, work / way,
+                      select_number(t, k, "total") - select_number(t, k, "external_work"));
         last = k;
     }
 }

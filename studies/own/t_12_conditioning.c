@@ -47,11 +47,11 @@ static void tables(const Results *r)
     for (int row = 0; row < t->nrow; row++) {
         const bool lost = select_is_lost(t, row);
         const double steps = select_number(t, row, "steps");
-        fprintf(f, "%s,%s,%g,%s,%g,%.17g,%.17g,%d\n", select_text(t, row, "method"),
-                layouts[select_is(t, row, "problem", "scan")].name,
-                pow(round(sqrt(select_number(t, row, "ppc"))), 2), condition_of(t, row),
-                select_number(t, row, "trigger"), select_number(t, row, "error_linf"),
-                select_number(t, row, "fallbacks") / steps, lost);
+        results_print(f, "%s,%s,%g,%s,%g,%.17g,%.17g,%d\n", select_text(t, row, "method"),
+                      layouts[select_is(t, row, "problem", "scan")].name,
+                      pow(round(sqrt(select_number(t, row, "ppc"))), 2), condition_of(t, row),
+                      select_number(t, row, "trigger"), select_number(t, row, "error_linf"),
+                      select_number(t, row, "fallbacks") / steps, lost);
     }
 }
 

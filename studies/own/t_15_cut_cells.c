@@ -55,17 +55,18 @@ static void tables(const Results *r)
     for (int step = 0; step <= STEPS; step++) {
         const double way = -0.5 + 3.0 * step / STEPS;
         corner_distances(way, d);
-        if (step % (STEPS / SHOWN) == 0) fprintf(f, "%.17g", way);
+        if (step % (STEPS / SHOWN) == 0) results_print(f, "%.17g", way);
         for (int rule = 0; rule < RULES; rule++) {
             const double now = integral(rule, d);
             if (step > 0) jump[rule] = fmax(jump[rule], fabs(now - last[rule]));
             last[rule] = now;
-            if (step % (STEPS / SHOWN) == 0) fprintf(f, ",%.17g", now);
+            if (step % (STEPS / SHOWN) == 0) results_print(f, ",%.17g", now);
         }
         if (step % (STEPS / SHOWN) == 0) fputc('\n', f);
     }
     f = results_write(r, "jumps", "rule,jump");
-    for (int rule = 0; rule < RULES; rule++) fprintf(f, "%s,%.17g\n", rules[rule], jump[rule]);
+    for (int rule = 0; rule < RULES; rule++)
+        results_print(f, "%s,%.17g\n", rules[rule], jump[rule]);
 }
 
 static void check(Check *c, const Results *r)

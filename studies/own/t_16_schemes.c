@@ -79,11 +79,11 @@ static void tables(const Results *r)
         for (int k = 0; k < COUNTS; k++) {
             const double error = mass_error(r, m, counts[k]);
             if (!isnan(error))
-                fprintf(mass, "%s,%g,%.10g\n", m, (double)counts[k] / BAR_CELLS, error);
+                results_print(mass, "%s,%g,%.10g\n", m, (double)counts[k] / BAR_CELLS, error);
         }
     EACH_WORD(m, domains) {
         const double f = force_inside(r, m);
-        if (!isnan(f)) fprintf(force, "%s,%d,%.10g\n", m, place, f);
+        if (!isnan(f)) results_print(force, "%s,%d,%.10g\n", m, place, f);
         place++;
     }
 }

@@ -18,13 +18,13 @@ static const double ratios[RATIOS] = {1, 1.1, 1.2, 1.3, 1.4, 1.5};
 static const int grids[GRIDS] = {24, 48, 96, 192};
 static const double jitters[JITTERS] = {0, 0.1, 0.2, 0.3, 0.4, 0.5};
 
-static void write_errors(FILE *f, int m, int kind, int n, double ratio)
+static void write_errors(FILE *f, GradedMethod m, int kind, int n, double ratio)
 {
     Graded g;
     graded_make(&g, n, kind ? 1 : ratio, kind ? ratio : 1);
     for (int field = 0; field < 2; field++)
-        fprintf(f, "%s,%s,%s,%d,%.17g,%.17g\n", graded_names[m], kinds[kind], fields[field], n,
-                ratio, graded_error(&g, (GradedMethod)m, field));
+        results_print(f, "%s,%s,%s,%d,%.17g,%.17g\n", graded_names[m], kinds[kind], fields[field],
+                      n, ratio, graded_error(&g, m, field));
 }
 
 /* Largest difference of the weights here from the program's, on equal cells. */
@@ -33,7 +33,7 @@ static double largest_difference(void)
     Graded g;
     double most = 0;
     graded_make(&g, 12, 1, 1.3);
-    for (GradedMethod m = 0; m < 2; m++)
+    for (GradedMethod m = GRADED_TENT; m <= GRADED_GIMP; m++)
         for (int p = 6; p < 18; p++) {
             double S, G;
             engine_1d.weight(graded_names[m], 12 * (g.at[p] - g.x[6]), 12 * g.half[p], &S, &G);
@@ -75,39 +75,40 @@ static void write_condition(FILE *f, const Results *r, int grading, int jitter)
     double *x = points_all(t, "X Y"), most = 0;
     for (int node = 0; node < 36 && t->nrow > 0; node++)
         most = fmax(most, condition(t->nrow, x, 11 + node % 6 * 2, 11 + node / 6 * 2));
-    if (t->nrow > 0) fprintf(f, "%d,%g,%.17g\n", grading, jitters[jitter], most);
+    if (t->nrow > 0) results_print(f, "%d,%g,%.17g\n", grading, jitters[jitter], most);
     free(x);
 }
 
 static void tables(const Results *r)
 {
     FILE *f = results_write(r, "errors", "method,kind,field,cells,ratio,error");
-    for (int m = 0; m < 2 * GRADED_METHODS; m++) {
-        for (int k = 0; k < RATIOS; k++) write_errors(f, m / 2, m % 2, 48, ratios[k]);
-        for (int k = 0; k < GRIDS; k++)
-            if (grids[k] != 48) write_errors(f, m / 2, m % 2, grids[k], 1.5);
-    }
+    for (GradedMethod m = 0; m < GRADED_METHODS; m++)
+        for (int kind = 0; kind < 2; kind++) {
+            for (int k = 0; k < RATIOS; k++) write_errors(f, m, kind, 48, ratios[k]);
+            for (int k = 0; k < GRIDS; k++)
+                if (grids[k] != 48) write_errors(f, m, kind, grids[k], 1.5);
+        }
     f = results_write(r, "program", "cells,difference");
-    fprintf(f, "12,%.17g\n", largest_difference());
+    results_print(f, "12,%.17g\n", largest_difference());
     f = results_write(r, "condition", "grading,jitter,condition");
     for (int grading = 1; grading < 3; grading++)
         for (int k = 0; k < JITTERS; k++) write_condition(f, r, grading, k);
 }
 
-static Measure order(const Table *t, int method, int kind, int field)
+static Measure order(const Table *t, GradedMethod method, int kind, int field)
 {
     return curve_order_in_h(t, "error", 24, 192, GRIDS, "method=%s kind=%s field=%s ratio=1.5",
                             graded_names[method], kinds[kind], fields[field]);
 }
 
-static Measure linear_error(const Table *t, int method, int kind)
+static Measure linear_error(const Table *t, GradedMethod method, int kind)
 {
     return select_value(t, "error", "method=%s kind=%s field=linear cells=48 ratio=1.5",
                         graded_names[method], kinds[kind]);
 }
 
 /* What MPM and GIMP lose. */
-static void check_plain(Check *c, const Table *t, int m)
+static void check_plain(Check *c, const Table *t, GradedMethod m)
 {
     const char *label = engine_label(graded_names[m]);
     claim(c, phrase("T-17.cells-%s", graded_names[m]),
@@ -134,8 +135,8 @@ static void check(Check *c, const Results *r)
         "and from graded particles: largest error",
         curve_worst(t, "ge_mpm ge_gimp wls", 2 * (RATIOS + GRIDS - 1), "error", "field=linear"), 0,
         1e-13);
-    for (int m = GRADED_TENT; m <= GRADED_GIMP; m++) check_plain(c, t, m);
-    for (int m = GRADED_GE_GIMP; m <= GRADED_FIT; m++)
+    for (GradedMethod m = GRADED_TENT; m <= GRADED_GIMP; m++) check_plain(c, t, m);
+    for (GradedMethod m = GRADED_GE_GIMP; m <= GRADED_FIT; m++)
         claim(c, phrase("T-17.order-%s", graded_names[m]),
               phrase("%s, cells that differ by 1.5: order of the error of a quadratic field",
                      m == GRADED_FIT ? "The least-squares fit" : engine_label(graded_names[m])),

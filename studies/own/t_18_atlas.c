@@ -96,7 +96,8 @@ static void tables(const Results *r)
                              : k == 2 ? sqrt(curve_growth(t, "kinetic"))
                              : k == 3 ? growth(t)
                                       : 1 - curve_growth(t, "angular_z");
-            if (t->nrow) fprintf(f, "%s,%s,%.10g,%s\n", what[k], m, x, results_status(r, part));
+            if (t->nrow)
+                results_print(f, "%s,%s,%.10g,%s\n", what[k], m, x, results_status(r, part));
         }
 }
 

@@ -126,10 +126,11 @@ static void write_run(FILE *points, FILE *sums, const Results *r, const char *me
     hole_sort(&rim);
     for (const RimPoint *p = rim.point; p < rim.point + rim.n; p++) {
         most = measure_worse(most, p->reference);
-        fprintf(points, "%s,%d,%.10g,%.10g,%.10g\n", part, n, p->angle, p->stress, p->reference);
+        results_print(points, "%s,%d,%.10g,%.10g,%.10g\n", part, n, p->angle, p->stress,
+                      p->reference);
     }
-    fprintf(sums, "%s,%d,%d,%.10g,%.10g,%.10g\n", part, n, s.n, hole_rms(&rim), hole_scatter(&rim),
-            most);
+    results_print(sums, "%s,%d,%d,%.10g,%.10g,%.10g\n", part, n, s.n, hole_rms(&rim),
+                  hole_scatter(&rim), most);
     hole_free(&rim);
     free(s.site);
 }

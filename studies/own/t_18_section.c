@@ -62,12 +62,12 @@ static void write_run(FILE *points, FILE *sums, const Results *r, const char *me
             square += pow(found[c] - exact[c], 2);
         }
         n++;
-        fprintf(points, "%s,%s,%.8g,%.8g,%.8g,%.8g\n", method, instants[k].name, x[0], x[1],
-                found[0], found[1]);
+        results_print(points, "%s,%s,%.8g,%.8g,%.8g,%.8g\n", method, instants[k].name, x[0], x[1],
+                      found[0], found[1]);
     }
     if (n > 0)
-        fprintf(sums, "%s,%s,%d,%.10g,%.10g,%.10g,%s\n", method, instants[k].name, n, most,
-                sqrt(square / (2 * n)), known, results_status(r, part));
+        results_print(sums, "%s,%s,%d,%.10g,%.10g,%.10g,%s\n", method, instants[k].name, n, most,
+                      sqrt(square / (2 * n)), known, results_status(r, part));
 }
 
 static void tables(const Results *r)

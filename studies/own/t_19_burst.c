@@ -52,9 +52,9 @@ static void tables(const Results *r)
     for (int k = 0; k < RUNS; k++) {
         const Table *t = results_ended(r, "%s", runs[k].part);
         const double numbers[] = {select_last(t, "t"), select_last(t, "kinetic"), drift(t)};
-        fprintf(f, "%s,", runs[k].part);
+        results_print(f, "%s,", runs[k].part);
         for (int n = 0; n < 3; n++) info_number_write(f, numbers[n]), putc(',', f);
-        fprintf(f, "%s\n", results_status(r, runs[k].part));
+        results_print(f, "%s\n", results_status(r, runs[k].part));
     }
 }
 

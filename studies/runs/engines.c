@@ -8,7 +8,7 @@ const Engine *const engines[] = {&engine_1d, &engine_2d, &engine_3d, NULL};
 
 enum { MOST_NAMES = 64 };
 
-static const Info *find(const Info *const *list, const char *name)
+const Info *engine_info_in(const Info *const *list, const char *name)
 {
     while (*list && strcmp((*list)->name, name) != 0) list++;
     return *list;
@@ -17,14 +17,16 @@ static const Info *find(const Info *const *list, const char *name)
 const Info *engine_problem(const char *name)
 {
     const Info *found = NULL;
-    for (const Engine *const *e = engines; *e && !found; e++) found = find((*e)->problems, name);
+    for (const Engine *const *e = engines; *e && !found; e++)
+        found = engine_info_in((*e)->problems, name);
     return found;
 }
 
 const Info *engine_method(const char *name)
 {
     const Info *found = NULL;
-    for (const Engine *const *e = engines; *e && !found; e++) found = find((*e)->methods, name);
+    for (const Engine *const *e = engines; *e && !found; e++)
+        found = engine_info_in((*e)->methods, name);
     return found;
 }
 
@@ -44,7 +46,7 @@ int engine_line(const Engine *engine, const char *method)
 
 bool engine_has_problem(const Engine *engine, const char *name)
 {
-    return find(engine->problems, name) != NULL;
+    return engine_info_in(engine->problems, name) != NULL;
 }
 
 bool engine_has_grid(const Engine *engine, const char *method)

@@ -13,6 +13,9 @@ int engine_method_names(const char *names[], int max);
 int engine_check_problem(const char *name, Fault *fault);
 int engine_check_method(const char *option, const char *name, Fault *fault);
 
+/* The description of that name in a list that a NULL ends, or NULL. */
+const Info *engine_info_in(const Info *const *list, const char *name);
+
 /* The description of a problem or a method by the first engine that has it; NULL: none has it. */
 const Info *engine_problem(const char *name);
 const Info *engine_method(const char *name);

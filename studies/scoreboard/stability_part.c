@@ -46,12 +46,6 @@ static void sheets_free(Sheets *s)
     table_free(s->points);
 }
 
-/* The next row of a method in a table, which may be NULL; -1: none. */
-static int next_of(const Table *t, int row, const char *method)
-{
-    return t ? select_next(t, row, "method=%s", method) : -1;
-}
-
 static Mark mark_read(const char *word)
 {
     for (Mark m = MARK_OK; m < MARKS; m++)
@@ -65,7 +59,7 @@ static void safe_steps(FILE *f, const Table *t, const char *method)
     int found = 0;
     for (int dim = 1; dim <= 3; dim++) {
         int here = 0;
-        for (int row = -1; (row = next_of(t, row, method)) >= 0;) {
+        EACH_ROW(row, t, "method=%s", method) {
             if (select_number(t, row, "dim") != dim) continue;
             if (here == 0)
                 fprintf(f, "%s<span class=\"soft\">%dD</span> ", found ? "<br>" : "", dim);
@@ -75,7 +69,7 @@ static void safe_steps(FILE *f, const Table *t, const char *method)
         }
     }
     if (!found) fputs("&ndash;", f);
-    for (int row = -1; (row = next_of(t, row, method)) >= 0;)
+    EACH_ROW(row, t, "method=%s", method)
         if (select_text(t, row, "first_failure")[0]) {
             page_element(f, "<br><span class=\"soft\">then ", select_text(t, row, "first_failure"),
                          "</span>");
@@ -101,7 +95,7 @@ static double ring_limit(const Table *t, const char *method)
 static double touched_limit(const Table *t, const char *method)
 {
     double least = NAN;
-    for (int row = -1; (row = next_of(t, row, method)) >= 0;)
+    EACH_ROW(row, t, "method=%s", method)
         least = fmin(isnan(least) ? INFINITY : least, select_number(t, row, "critical"));
     return least;
 }
@@ -118,7 +112,7 @@ static void marks(FILE *f, const Sheets *s, const char *method)
 {
     static const char *const signs[MARKS] = {"&#10003;", "~", "&times;"};
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        for (int row = -1; (row = next_of(one->grades, row, method)) >= 0;) {
+        EACH_ROW(row, one->grades, "method=%s", method) {
             const Mark m = mark_read(select_text(one->grades, row, "grade"));
             fprintf(f, "<a class=\"m %s\" href=\"#%s\"", grade_mark_names[m], one->study->name);
             page_element(f, " title=\"", select_text(one->grades, row, "note"), "\">");
@@ -134,7 +128,7 @@ static void first_break(FILE *f, const Sheets *s, const char *method)
     int at = 0;
     Mark worst = MARK_OK;
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        for (int row = -1; (row = next_of(one->grades, row, method)) >= 0;) {
+        EACH_ROW(row, one->grades, "method=%s", method) {
             const Mark m = mark_read(select_text(one->grades, row, "grade"));
             if (m <= worst) continue;
             worst = m;
@@ -153,7 +147,7 @@ static void first_break(FILE *f, const Sheets *s, const char *method)
 /* How a pair of T-5 went: 0 best, 3 lost; -1: not tried. */
 static int pair_grade(const Table *t, const char *method, const char *integrator)
 {
-    for (int row = -1; (row = next_of(t, row, method)) >= 0;)
+    EACH_ROW(row, t, "method=%s", method)
         if (select_is(t, row, "integrator", integrator)) return (int)select_number(t, row, "grade");
     return -1;
 }
@@ -169,7 +163,7 @@ static int fresh_gradients(FILE *f, const Table *t, const char *method)
 /* What the same option makes worse in the study's other cases, or does not help. */
 static void worse(FILE *f, const Table *t, const char *method, const char *remedy)
 {
-    for (int row = -1; (row = next_of(t, row, method)) >= 0;) {
+    EACH_ROW(row, t, "method=%s", method) {
         if (!select_is(t, row, "remedy", remedy)) continue;
         const Mark before = mark_read(select_text(t, row, "before"));
         const Mark after = mark_read(select_text(t, row, "after"));
@@ -186,7 +180,7 @@ static void helps(FILE *f, const Sheets *s, const char *method)
 {
     int n = fresh_gradients(f, s->pairs, method);
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        for (int row = -1; (row = next_of(one->remedies, row, method)) >= 0;) {
+        EACH_ROW(row, one->remedies, "method=%s", method) {
             const Table *t = one->remedies;
             if (mark_read(select_text(t, row, "after")) >= mark_read(select_text(t, row, "before")))
                 continue;
@@ -204,7 +198,7 @@ static void helps(FILE *f, const Sheets *s, const char *method)
 static bool is_graded(const Sheets *s, const char *method)
 {
     for (const Sheet *one = s->list; one < s->list + s->n; one++)
-        if (next_of(one->grades, -1, method) >= 0) return true;
+        if (select_next(one->grades, -1, "method=%s", method) >= 0) return true;
     return false;
 }
 

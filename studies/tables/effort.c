@@ -98,20 +98,13 @@ static void mark_fronts(Efforts *all)
     }
 }
 
-static void cell(FILE *f, double x)
-{
-    if (isfinite(x)) fprintf(f, "%.10g", x);
-    putc(',', f);
-}
-
 static void write_points(FILE *f, const Efforts *all)
 {
     for (const Effort *e = all->list; e < all->list + all->n; e++) {
-        fprintf(f, "%s,%s,%s,%s,%s,", e->problem, e->method, e->integrator, e->layout, e->status);
-        const double numbers[] = {e->ppc,    e->cells, e->error,       e->cpu,
-                                  e->median, e->work,  e->instructions};
-        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) cell(f, numbers[k]);
-        fprintf(f, "%d,%d,%d,%d\n", e->front, e->front_work, e->front_own, e->front_own_work);
+        results_print(f, "%s,%s,%s,%s,%s,%.10g,%.10g,%.10g,", e->problem, e->method, e->integrator,
+                      e->layout, e->status, e->ppc, e->cells, e->error);
+        results_print(f, "%.10g,%.10g,%.10g,%.10g,%d,%d,%d,%d\n", e->cpu, e->median, e->work,
+                      e->instructions, e->front, e->front_work, e->front_own, e->front_own_work);
     }
 }
 

@@ -97,27 +97,22 @@ static Cost best_cost(const Efforts *all, const Effort *e, double target)
     return best;
 }
 
-static void cell(FILE *f, double x)
+/* A cost of nothing is none. */
+static double some(double x)
 {
-    putc(',', f);
-    if (isfinite(x) && x > 0) fprintf(f, "%.6g", x);
+    return x > 0 ? x : NAN;
 }
 
 static void write_cost(FILE *f, const Cost *c, double target)
 {
     const Effort *o = c->options;
-    fprintf(f, "%s,%g,%s,%s", o->problem, target, o->method, how_names[c->how]);
-    cell(f, c->seconds);
-    cell(f, c->work);
-    cell(f, c->instructions);
-    cell(f, c->cells);
+    results_print(f, "%s,%g,%s,%s,%.6g,%.6g,%.6g,%.6g,", o->problem, target, o->method,
+                  how_names[c->how], some(c->seconds), some(c->work), some(c->instructions),
+                  some(c->cells));
     if (c->how == NEVER)
-        fputs(",,,\n", f);
-    else {
-        fprintf(f, ",%s,%s", o->integrator, o->layout);
-        cell(f, o->ppc);
-        putc('\n', f);
-    }
+        fputs(",,\n", f);
+    else
+        results_print(f, "%s,%s,%.6g\n", o->integrator, o->layout, some(o->ppc));
 }
 
 void effort_reach_write(FILE *f, const Efforts *all)

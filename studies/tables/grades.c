@@ -18,8 +18,8 @@ FILE *grades_write_remedies(const Results *results)
 void grade_remedy_add(FILE *f, const char *hard_case, const char *method, const char *remedy,
                       Mark before, Mark after, const char *note)
 {
-    fprintf(f, "%s,%s,%s,%s,%s,%s\n", hard_case, method, remedy, grade_mark_names[before],
-            grade_mark_names[after], note);
+    results_print(f, "%s,%s,%s,%s,%s,%s\n", hard_case, method, remedy, grade_mark_names[before],
+                  grade_mark_names[after], note);
 }
 
 void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, const char *note,
@@ -27,7 +27,7 @@ void grade_add(FILE *f, const char *hard_case, const char *method, Mark grade, c
 {
     char text[256];
     PHRASE_INTO(text, note);
-    fprintf(f, "%s,%s,%s,", hard_case, method, grade_mark_names[grade]);
+    results_print(f, "%s,%s,%s,", hard_case, method, grade_mark_names[grade]);
     const char *nan = strstr(text, "nan"); /* printf may write -nan */
     const bool lost = nan && (nan == text || strchr(" -", nan[-1]));
     table_put_cell(f, lost ? "a run was lost" : text);

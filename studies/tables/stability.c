@@ -46,9 +46,9 @@ static void write_place(FILE *f, const Table *rows, int row)
     const Map *map = stability_of_row(rows, row);
     const char *method = select_text(rows, row, "method");
     const Pair pair = pairs[pair_of_row(rows, row)];
-    fprintf(f, "%d,%s,%s,%d,%d,%d,%d,", map->engine->dim, method, pair.integrator, pair.refresh,
-            stability_is_usual(map, method, pair), pair_of_row(rows, row),
-            engine_line(map->engine, method));
+    results_print(f, "%d,%s,%s,%d,%d,%d,%d,", map->engine->dim, method, pair.integrator,
+                  pair.refresh, stability_is_usual(map, method, pair), pair_of_row(rows, row),
+                  engine_line(map->engine, method));
 }
 
 /* Of x among n numbers, or up to a 0; -1: none of them. */
@@ -78,9 +78,9 @@ static void write_map(FILE *f, const Table *rows, const Ladder *l)
         for (int p = 0; map->ppc[p] > 0 && column_of(l->cfl[k]) >= 0; p++) {
             if (isfinite(ppc) && p != index_of(MAP_MOST, map->ppc, ppc)) continue;
             write_place(f, rows, l->row[k]);
-            fprintf(f, "%.10g,%g,%g,%d,%d,%d,%s\n", ppc, A, l->cfl[k], column_of(l->cfl[k]),
-                    index_of(MAP_MOST, map->A, A) * height + p, l->grade[k],
-                    select_text(rows, l->row[k], "status"));
+            results_print(f, "%.10g,%g,%g,%d,%d,%d,%s\n", ppc, A, l->cfl[k], column_of(l->cfl[k]),
+                          index_of(MAP_MOST, map->A, A) * height + p, l->grade[k],
+                          select_text(rows, l->row[k], "status"));
         }
 }
 
@@ -88,16 +88,17 @@ static void write_map(FILE *f, const Table *rows, const Ladder *l)
 static void write_limits(FILE *f, const Table *rows, const Ladder *l)
 {
     write_place(f, rows, l->row[0]);
-    fprintf(f, "%s,%g", select_text(rows, l->row[0], "ppc_asked"),
-            select_number(rows, l->row[0], "A"));
+    results_print(f, "%s,%g", select_text(rows, l->row[0], "ppc_asked"),
+                  select_number(rows, l->row[0], "A"));
     for (Mark worst = MARK_OK; worst < MARK_LOST; worst++) {
         int first;
-        fprintf(f, ",%.6g,", ladder_limit(l, worst, &first));
+        results_print(f, ",%.6g,", ladder_limit(l, worst, &first));
         if (first < 0)
-            fprintf(f, ",,");
+            results_print(f, ",,");
         else
-            fprintf(f, "%.6g,%s,%s", l->cfl[first], select_text(rows, l->row[first], "status"),
-                    select_text(rows, l->row[first], "reason"));
+            results_print(f, "%.6g,%s,%s", l->cfl[first],
+                          select_text(rows, l->row[first], "status"),
+                          select_text(rows, l->row[first], "reason"));
     }
     putc('\n', f);
 }
@@ -127,11 +128,11 @@ static void write_worst(FILE *f, const Table *limits)
         const int s = least_of_group(limits, row, "stable", 4, group);
         const int k = least_of_group(limits, row, "kept", 4, group);
         if (s < 0) continue;
-        for (int c = 0; c < 7; c++) fprintf(f, "%s,", limits->cell[row * limits->ncol + c]);
+        for (int c = 0; c < 7; c++) results_print(f, "%s,", limits->cell[row * limits->ncol + c]);
         const Map *map = &stability_maps[select_number(limits, row, "dim") > 1];
         const double A = select_number(limits, row, "amplitude");
-        fprintf(f, "%g,%d,%s,%s\n", A, index_of(MAP_MOST, map->A, A),
-                select_text(limits, s, "stable"), select_text(limits, k, "kept"));
+        results_print(f, "%g,%d,%s,%s\n", A, index_of(MAP_MOST, map->A, A),
+                      select_text(limits, s, "stable"), select_text(limits, k, "kept"));
     }
 }
 
@@ -143,13 +144,13 @@ static void write_safe(FILE *f, const Table *limits)
         if (!(select_number(limits, row, "default") > 0)) continue;
         const int s = least_of_group(limits, row, "stable", 3, group);
         if (s < 0) continue;
-        fprintf(f, "%s,%s,%s,%s,", select_text(limits, s, "method"),
-                select_text(limits, s, "integrator"), select_text(limits, s, "dim"),
-                select_text(limits, s, "stable"));
+        results_print(f, "%s,%s,%s,%s,", select_text(limits, s, "method"),
+                      select_text(limits, s, "integrator"), select_text(limits, s, "dim"),
+                      select_text(limits, s, "stable"));
         if (*select_text(limits, s, "failure"))
-            fprintf(f, "%s at CFL %s (PPC %s A %s)", select_text(limits, s, "failure"),
-                    select_text(limits, s, "fails_at"), select_text(limits, s, "ppc"),
-                    select_text(limits, s, "amplitude"));
+            results_print(f, "%s at CFL %s (PPC %s A %s)", select_text(limits, s, "failure"),
+                          select_text(limits, s, "fails_at"), select_text(limits, s, "ppc"),
+                          select_text(limits, s, "amplitude"));
         putc('\n', f);
     }
 }

@@ -18,7 +18,7 @@ static void tables(const Results *r)
         for (int k = -REACH; k <= REACH; k++) {
             double S = NAN, G = NAN, x = k / (double)PARTS;
             engine_1d.weight(methods[m], x, half_width, &S, &G);
-            fprintf(f, "%s,%.17g,%.17g,%.17g\n", methods[m], x, S, G);
+            results_print(f, "%s,%.17g,%.17g,%.17g\n", methods[m], x, S, G);
         }
 }
 

@@ -33,7 +33,8 @@ static void write_lines(FILE *f, const Table *particles, int p)
         double S = 0, G, node = i / (double)CELLS;
         engine_1d.weight("mpm", (double)CELLS * x - i, 0.5, &S, &G);
         if (S > 0)
-            fprintf(f, "%d,%.17g,%.17g,%.17g,%.17g,%.17g\n", p, x, v, node, v + L * (node - x), S);
+            results_print(f, "%d,%.17g,%.17g,%.17g,%.17g,%.17g\n", p, x, v, node,
+                          v + L * (node - x), S);
     }
 }
 

@@ -34,7 +34,7 @@ static void write_instant(FILE *f, const Table *particles, double t, const char 
         int row = (int)ceil(s * PARTICLES / (double)STATIONS) - 1;
         if (row >= particles->nrow) return;
         double X = select_number(particles, row, "X"), x = select_number(particles, row, "x");
-        fprintf(f, "%d,%.17g,%.17g,%.17g,%.17g,%s\n", s, X, t, x - X, exact(X, t), status);
+        results_print(f, "%d,%.17g,%.17g,%.17g,%.17g,%s\n", s, X, t, x - X, exact(X, t), status);
     }
 }
 

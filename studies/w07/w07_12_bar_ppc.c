@@ -60,7 +60,7 @@ static void tables(const Results *r)
     for (int m = 0; m < METHODS; m++)
         for (int k = 0; k <= 100; k++) {
             const Measure lost = lost_by(r->rows, m, 5, 0.05 * k, INFINITY);
-            fprintf(f, "%s,%.17g,%g,%d\n", methods[m], 0.05 * k, lost.value, lost.rows);
+            results_print(f, "%s,%.17g,%g,%d\n", methods[m], 0.05 * k, lost.value, lost.rows);
         }
 }
 

@@ -22,8 +22,8 @@ static void tables(const Results *r)
         for (int p = 0; p < n; p++)
             for (int k = 0; k <= piece[p].n; k++) { /* closed */
                 const double *x = piece[p].x[k % piece[p].n];
-                fprintf(f, "%d,%d,%d,%.17g,%.17g,%g,%g,%g,%g\n", s, p, k, x[0], x[1], d[0], d[1],
-                        d[2], d[3]);
+                results_print(f, "%d,%d,%d,%.17g,%.17g,%g,%g,%g,%g\n", s, p, k, x[0], x[1], d[0],
+                              d[1], d[2], d[3]);
             }
     }
 }

@@ -41,8 +41,8 @@ static void output_nodes(FILE *f, double most[SIDE][SIDE], const char *status)
     for (int j = 0; j < SIDE; j++)
         for (int i = 0; i < SIDE; i++)
             if (!(most[j][i] <= 0))
-                fprintf(f, "%.17g,%.17g,%.17g,%d,%s\n", i / (double)CELLS, j / (double)CELLS,
-                        most[j][i], !(most[j][i] > trigger), status);
+                results_print(f, "%.17g,%.17g,%.17g,%d,%s\n", i / (double)CELLS, j / (double)CELLS,
+                              most[j][i], !(most[j][i] > trigger), status);
 }
 
 static void tables(const Results *r)

@@ -35,8 +35,8 @@ static void tables(const Results *r)
     int frame = 0;
     for (int row = 0; row < rows->nrow; row++)
         if (select_number(rows, row, "set.steps") > 0)
-            fprintf(f, "%d,%.17g\n", frame++,
-                    select_number(rows, row, "steps") * select_number(rows, row, "dt"));
+            results_print(f, "%d,%.17g\n", frame++,
+                          select_number(rows, row, "steps") * select_number(rows, row, "dt"));
 }
 
 static Bounce bounce(const Results *r, const char *part)

@@ -30,8 +30,8 @@ static void write_truth(FILE *f, const HoleReference *truth, const char *status)
 {
     for (int degree = 0; degree <= 90; degree++) {
         const double angle = degree * M_PI / 180;
-        fprintf(f, "%d,%.17g,%s\n", degree,
-                hole_reference_at(truth, 0.5 * cos(angle), 0.5 * sin(angle)), status);
+        results_print(f, "%d,%.17g,%s\n", degree,
+                      hole_reference_at(truth, 0.5 * cos(angle), 0.5 * sin(angle)), status);
     }
 }
 
@@ -43,10 +43,10 @@ static void write_run(FILE *points, FILE *sums, const Results *r, const char *me
     if (!t->nrow) return;
     Rim rim = hole_read(t, cells, truth, !engine_has_grid(&engine_2d, method));
     for (const RimPoint *p = rim.point; p < rim.point + rim.n; p++)
-        fprintf(points, "%s,%d,%.17g,%.17g,%.17g\n", method, cells, p->angle, p->stress,
-                p->reference);
-    fprintf(sums, "%s,%d,%d,%.17g,%.17g,%.17g\n", method, cells, rim.n, hole_rms(&rim),
-            hole_scatter(&rim), rim.moved);
+        results_print(points, "%s,%d,%.17g,%.17g,%.17g\n", method, cells, p->angle, p->stress,
+                      p->reference);
+    results_print(sums, "%s,%d,%d,%.17g,%.17g,%.17g\n", method, cells, rim.n, hole_rms(&rim),
+                  hole_scatter(&rim), rim.moved);
     hole_free(&rim);
 }
 

@@ -1,5 +1,5 @@
-/* test_readers.c: the row of a run as it is typed, and what is read of a run's points and polygons.
- */
+/* test_readers.c: the row of a run as it is typed; what is read of a run's points and polygons; and
+ * cells that have no number. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -116,12 +116,28 @@ static void test_measures(void)
     CU_ASSERT(c.n == 2 && c.x[1] == 2 && c.y[1] == 1); /* the second lacks a row */
 }
 
+static void test_cells(void)
+{
+    char *text;
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    results_print(f, "%s,%d,%g,%.3g,%.2f,%.17g\n", "nan", 7, 0.5, 1234.5, 2.0, 0.1);
+    results_print(f, "%g,%.3g,%.2f,%.10g\n", NAN, INFINITY, -NAN, -INFINITY);
+    fclose(f);
+    CHECK_TEXT(text, "nan,7,0.5,1.23e+03,2.00,0.10000000000000001\n,,,\n");
+    free(text);
+    Table *t = check_table("a,b\n1,\n");
+    CU_ASSERT(isnan(select_number(t, 0, "b")) && select_max(t, "b", 1, " ").rows == 0);
+    table_free(t);
+}
+
 static const TestCase tests[] = {
     {"rows of runs as they are typed", test_run_row},
     {"numbers of points", test_points},
     {"corners of polygons", test_patches},
     {"errors at the same points", test_cloud},
     {"ends of measures", test_measures},
+    {"cells without a number", test_cells},
     {NULL, NULL},
 };
 CHECK_SUITE(tests)
