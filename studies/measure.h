@@ -14,9 +14,9 @@ double measure_worse(double a, double b);
 double measure_lesser(double a, double b); /* the smaller, likewise */
 
 Measure measure(double value, int rows, int needs);
-Measure measure_formula(double value); /* of formulas alone: stands on no rows */
+Measure measure_formula(double value); /* of a formula: needs no rows */
 
-/* The largest, least or sum over `needs` rows, before the first of them is added. */
+/* An empty maximum, minimum or sum, to which `needs` rows will be added. */
 Measure measure_max_of(int needs);
 Measure measure_min_of(int needs);
 Measure measure_sum_of(int needs);
@@ -26,13 +26,13 @@ void measure_add_max(Measure *m, double x);
 void measure_add_min(Measure *m, double x);
 void measure_add(Measure *m, double x);
 
-/* Of two measures; the result stands on the rows of both. */
+/* Of two measures; the result needs the rows of both. */
 Measure measure_ratio(Measure a, Measure b);
 Measure measure_max(Measure a, Measure b);
 Measure measure_min(Measure a, Measure b);
 Measure measure_sum(Measure a, Measure b);
 
-/* The largest and the least of n measures, which stands on the rows of all. */
+/* The largest and the least of n measures; the result needs the rows of all. */
 Measure measure_largest(int n, const Measure m[]);
 Measure measure_least(int n, const Measure m[]);
 

@@ -12,7 +12,7 @@ typedef struct Statement {
 } Statement;
 
 /* In the papers' order, ended by a NULL paper. The lines after a paper's own statements name claims
- * on its pages that stand on none of its sentences: their place and text are "". */
+ * on its pages that test none of its sentences: their place and text are "". */
 extern const Statement statements[];
 
 /* The line that names this claim, or NULL. */

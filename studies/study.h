@@ -87,8 +87,8 @@ const char *results_path(const Results *results, const char *part);
 /* "ok", "lost" or, of a run that is not in the table, "absent": for a column `status`. */
 const char *results_status(const Results *results, const char *part);
 
-/* A claim: measured within [low, high] is PASS, else FAIL; FAIL, too, if it stands on fewer rows
- * than it needs. id like "W07-5.mpm-exponent". */
+/* A claim: measured within [low, high] is PASS, else FAIL; FAIL, too, if it was computed from
+ * fewer rows than it needs. id like "W07-5.mpm-exponent". */
 void claim(Check *check, const char *id, const char *statement, Measure measured, double low,
            double high);
 

@@ -72,7 +72,7 @@ void on_node_mark_body(Sim *sim)
     mirror_visit_pairs(sim, true, unfold_mark, NULL);
 }
 
-/* The nodes along one axis on which a particle's slope stands: three a line. */
+/* The nodes along one axis on which a particle's slope stands: three per line. */
 enum { LINES = 1 << (DIM - 1) };
 typedef struct Slopes {
     int lines;

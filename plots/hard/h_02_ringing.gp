@@ -1,4 +1,4 @@
-# What is left of particle velocities that the grid cannot see, against steps.
+# What is left of particle velocities in the null space, against steps.
 load plots.'/style.gp'
 list_ = dir.'/'.name.'.kept.csv'
 load plots.'/methods.gp'

@@ -35,7 +35,7 @@ set key off
 set logscale y
 set yrange [1e-7:3]
 set format y '10^{%T}'
-set ylabel 'share lost a turn' offset 0
+set ylabel 'share lost per turn' offset 0
 set label 1 heading('(b) free: angular momentum (× run lost)')
 plot for [v = 1:4] list_ using (of('free', v, 1)):(abs(column('loss'))) with points pt KIND[v] ps 1.1 lc rgb VARIANT[v], \
      for [v = 1:4] list_ using (of('free', v, 0)):(1) with points pt 2 ps 1.1 lw 2 lc rgb VARIANT[v]

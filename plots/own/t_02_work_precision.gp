@@ -1,4 +1,4 @@
-# Error against CPU time, one panel per problem: the Pareto front, the methods that stand on it and FEM; all
+# Error against CPU time, one panel per problem: the Pareto front, the methods on it and FEM; all
 # other methods thin and grey.
 tall = 2.1
 load plots.'/style.gp'

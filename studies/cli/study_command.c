@@ -30,7 +30,7 @@ static const Option study_options[] = {
     {"jobs", "N", "cases at once, each in a process (default 1; timed studies: always 1)"},
     {"out", "DIR", "where results go (default build/out)"},
     {"method", "M,M", "only the cases of these methods; no verdicts"},
-    {"list", NULL, "only print the missing cases, one command a line"},
+    {"list", NULL, "only print the missing cases, one command per line"},
     {"collect", NULL, "first take in the rows that such commands have left"},
     {NULL, NULL, NULL},
 };

@@ -36,10 +36,10 @@ void sweep_case(const Sweep *sweep, int k, char text[], size_t size);
 /* The value of axis a in combination k. */
 const char *sweep_value(const Sweep *sweep, int a, int k);
 
-/* What combination k has that other curves have not: "gimp; cfl 0.1". */
+/* The settings that distinguish the curve of combination k from the others: "gimp; cfl 0.1". */
 void sweep_title(const Sweep *sweep, int k, char text[256]);
 
-/* Particles per cell that case k was asked for; NAN if they are no axis or run along the curves. */
+/* The --ppc of case k; NAN if --ppc is not varied, or is the axis along which curves run. */
 double sweep_asked_ppc(const Sweep *s, int k);
 
 /* Finds the combinations that can be run. Others (a method with an integrator it is unstable with)

@@ -31,7 +31,7 @@ static const Option sweep_options[] = {
     {"out", "DIR", "where results go (default build/out)"},
     {"name", "NAME", "table and figure are sweep_NAME (default: the problem's name)"},
     {"jobs", "N", "cases at once, each in a process (default 1)"},
-    {"list", NULL, "only print the missing cases, one command a line"},
+    {"list", NULL, "only print the missing cases, one command per line"},
     {"collect", NULL, "first take in the rows that such commands have left"},
     {NULL, NULL, NULL},
 };

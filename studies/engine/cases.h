@@ -15,7 +15,7 @@ typedef struct Case {
 } Case;
 
 struct Cases {
-    int n, listed; /* listed: those of the study's own list; rows asked for the others */
+    int n, listed; /* listed: those of the study's own list; `refine` added the others */
     Case *list;
     const char *dir;     /* where files go */
     const char *name;    /* the study's: files are NAME.PART.csv */
@@ -29,8 +29,8 @@ struct Cases {
 int cases_build(Cases *cases, const Study *study, bool quick, const char *methods, const char *dir,
                 Fault *fault);
 
-/* Asks the study which more cases the rows so far ask for; n grows if there are any. 0 or a fault.
- */
+/* Calls the study's `refine`, which adds the cases that the finished rows make necessary; n grows
+ * if it adds any. 0 or a fault. */
 int cases_refine(Cases *cases, const Study *study, const Table *rows, bool quick, Fault *fault);
 void cases_free(Cases *cases);
 

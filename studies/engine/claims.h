@@ -10,7 +10,7 @@ typedef struct Claim {
     const Study *study;
     char id[64], statement[256], reason[256];
     double measured, low, high;
-    int rows;    /* of tables, that it stands on */
+    int rows;    /* rows of tables that it is computed from */
     bool judged; /* all its rows were there: the verdict is about the number */
     Verdict verdict;
 } Claim;
@@ -26,12 +26,12 @@ struct Check {
 
 const char *claim_verdict_name(Verdict v);
 
-/* Whose claim it is: "W07", "W11" (it stands on a sentence of the paper, statements.h), "hard" or
+/* Whose claim it is: "W07", "W11" (it tests a sentence of the paper, statements.h), "hard" or
  * "own". */
 const char *claim_group(const Claim *c);
 
-/* Reads dir/NAME.csv back and runs the study's check on it, adding to check. 0 or a fault,
- * which it also is if the study makes more or fewer claims than it declares. */
+/* Reads dir/NAME.csv and runs the study's check on it, which adds claims to `check`. 0 or a fault;
+ * also a fault if the study makes more or fewer claims than it declares. */
 int claims_judge_study(Check *check, const Study *study, const char *dir, Fault *fault);
 
 /* The claims of every study, NOT_RUN where its table is absent or is not what it asks for now.

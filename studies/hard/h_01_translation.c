@@ -1,13 +1,13 @@
 /* h_01_translation.c: hard case H-1: a body of uniform stress moves over the grid.
  *
  * Inside it no force may act, wherever its particles lie in their cells. The particles' lattice is
- * stretched, so that its spacing is no part of a cell and every node inside has another offset;
- * four random offsets of the whole make over 200 of them. Forces after one step of usl, in units
- * of |sigma| times the area of a cell's face: block_nodes.h.
+ * stretched, so that its spacing is not a simple fraction of a cell and every node inside has a
+ * different offset from the particles; four random offsets of the whole make over 200 of them.
+ * Forces after one step of usl, in units of |sigma| times the area of a cell's face: block_nodes.h.
  *
  * A tent's gradient jumps where a particle crosses a node: f changes by twice the particle's share
- * of a cell's force, 2 F/n, on any mesh. GIMP's boxes tile space while F is a stretch along the
- * axes; of a turned body they do not.
+ * of the stress times a cell's face, 2 F_xx/n (n particles per axis and cell; F_xx: the stretch),
+ * on any mesh. GIMP's boxes tile space if F is a stretch along the axes, not in a turned body.
  *
  * Particles exactly on nodes have a neighbour of weight 0 and gradient 1/h: two blocks of tents,
  * one that drifts from node to node, one at rest under stress, with every integrator. */

@@ -1,5 +1,4 @@
-/* h_02_ringing.c: hard case H-2: particle velocities in the null space of the projection, which the
- * grid cannot see.
+/* h_02_ringing.c: hard case H-2: particle velocities in the null space of the projection.
  *
  * In a block at rest the particles' velocities alternate, +d and -d; with two or more of them to a
  * cell they cancel at every node inside, v_i = 0. Their amplitude relative to the initial one is
@@ -149,34 +148,35 @@ static void tables(const Results *r)
 static void check_methods(Check *c, const Table *t)
 {
     claim(c, "H-2.flip",
-          "MPM, GIMP, GE-MPM, GE-GIMP, B-splines (FLIP) keep velocity modes that the grid cannot "
-          "see: least amplitude left after 1500 steps",
+          "MPM, GIMP, GE-MPM, GE-GIMP, B-splines (FLIP) keep velocities in the null space: least "
+          "amplitude left after 1500 steps",
           left(t, "mpm gimp ge_mpm ge_gimp bspline", 1, 0).least, 0.9, 1.1);
     claim(c, "H-2.pic",
-          "PIC (order 1 of XPIC and FMPM), APIC and TPIC damp velocity modes that the grid cannot "
-          "see: most amplitude left after 1500 steps",
+          "PIC (order 1 of XPIC and FMPM), APIC and TPIC damp velocities in the null space: most "
+          "amplitude left after 1500 steps",
           measure_max(left(t, "xpic fmpm", 1, 1).most, left(t, "apic tpic", 1, 0).most), 0, 0.1);
     claim(c, "H-2.xpic",
-          "XPIC(2) and FMPM(2) damp velocity modes that the grid cannot see: most amplitude left "
-          "after 1500 steps",
+          "XPIC(2) and FMPM(2) damp velocities in the null space: most amplitude left after 1500 "
+          "steps",
           left(t, "xpic fmpm", 1, 0).most, 0, 0.1);
     claim_differs(c, "H-2.wls",
-                  "WLS, WLS2 filter velocities on the way to the grid only, so that the invisible "
-                  "mode neither decays nor grows: most amplitude at the end",
+                  "WLS, WLS2 filter velocities on the way to the grid only, so that velocities in "
+                  "the null space neither decay nor grow: most amplitude at the end",
                   last_left(t, "wls wls2", 0), 0.9, 1.1, 1.1, 1e6,
-                  "it grows, 276-fold at most, by itself where the block is off the grid's lines; "
-                  "less so, or not at all, if returned through splines, as it was fitted");
+                  "they grow, by a factor of at most 276, where the block does not lie on the "
+                  "grid's lines; less, or not at all, with return=spline");
     claim(c, "H-2.wls-spline",
-          "WLS with return=spline keeps the invisible velocity mode without growth: most amplitude "
-          "left",
+          "WLS with return=spline keeps velocities in the null space without growth: most "
+          "amplitude left",
           left(t, "wls", 1, 2).most, 0.9, 1.1);
     claim(c, "H-2.wls2-spline",
-          "WLS2 with return=spline in the plane: the invisible mode still grows (range set from "
-          "our own runs): most amplitude left",
+          "WLS2 with return=spline in the plane: velocities in the null space still grow (range "
+          "set from our own runs): most amplitude left",
           left(t, "wls2", 2, 2).most, 1.1, 100);
-    claim(c, "H-2.ge_wls",
-          "GE-WLS keeps the invisible velocity mode without growth, 1D and 2D: most amplitude left",
-          left(t, "ge_wls", 1, 0).most, 0.9, 1.1);
+    claim(
+        c, "H-2.ge_wls",
+        "GE-WLS keeps velocities in the null space without growth, 1D and 2D: most amplitude left",
+        left(t, "ge_wls", 1, 0).most, 0.9, 1.1);
 }
 
 static void check(Check *c, const Results *r)
@@ -184,15 +184,15 @@ static void check(Check *c, const Results *r)
     const Table *t = results_part(r, "places");
     check_methods(c, results_part(r, "kept"));
     claim(c, "H-2.ge_wls-places",
-          "GE-WLS, bar of 8 cells at 20 offsets from the grid: most amplitude of the invisible "
-          "mode in 6000 steps",
+          "GE-WLS, bar of 8 cells at 20 offsets from the grid: most amplitude of velocities in the "
+          "null space in 6000 steps",
           select_max(t, "most", PLACES, "dim=1"), 0.9, 1.1);
     claim_differs(c, "H-2.ge_wls-places-plane",
                   "GE-WLS, square of 8 x 8 cells at 20 offsets from the grid: most amplitude of "
-                  "the invisible mode in 6000 steps",
+                  "velocities in the null space in 6000 steps",
                   select_max(t, "most", PLACES, "dim=2"), 0.9, 1.1, 1.1, 1.5,
-                  "it grows by up to a quarter, and by more than a tenth at 11 offsets of 20, on "
-                  "this coarse mesh; on 16 x 16 cells it had not grown after 1500 steps");
+                  "they grow by up to a quarter, and by more than a tenth at 11 offsets of 20, on "
+                  "this coarse mesh; on 16 x 16 cells they had not grown after 1500 steps");
 }
 
 const StudyPage study_h_02_ringing = {

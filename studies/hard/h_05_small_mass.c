@@ -150,8 +150,8 @@ static void check_tents(Check *c, const Table *points, const Table *omega)
           "a cell: largest relative deviation",
           off_root(omega, "two_over_omega", 1, "mpm", 2), 0, 0.1);
     claim_differs(c, "H-5.tent",
-                  "Tents, last particle eps inside a cell: the critical step is 2 sqrt(eps/h) h/c, "
-                  "as 2/omega_max suggests: largest relative deviation",
+                  "Tents, last particle eps inside a cell: the estimate 2/omega_max = 2 "
+                  "sqrt(eps/h) h/c is the critical step: largest relative deviation",
                   off_root(points, "critical", 1, "mpm", 2), 0, 0.1, 0.25, 0.35, forgets);
     claim(c, "H-5.tent-sqrt2",
           "Tents, last particle eps inside a cell: the critical step is sqrt(2 eps/h) h/c: largest "

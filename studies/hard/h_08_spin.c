@@ -100,7 +100,7 @@ static void write_remedy(FILE *f, const Table *t, int s, const char *method, int
     if (select_next(t, -1, where, scenes[s].name, method, variants[v].name) < 0) return;
     const double before = deviation(t, s, method, USUAL), after = deviation(t, s, method, v);
     const char *was = isnan(before) ? "lost" : phrase("%.2g", before);
-    const char *note = isnan(after) ? "lost" : phrase("%s -> %.2g of it lost a turn", was, after);
+    const char *note = isnan(after) ? "lost" : phrase("%s -> %.2g of it lost per turn", was, after);
     grade_remedy_add(f, scenes[s].hard_case, method, variants[v].setting,
                      mark_of(t, s, method, USUAL), mark_of(t, s, method, v), s == FREE ? note : "");
 }
@@ -117,7 +117,7 @@ static void write_marks(FILE *f, FILE *remedies, const Table *t)
             grade_add(f, "H-8b", method, free, "lost after %.2g turns",
                       select_number(t, row, "turns"));
         else
-            grade_add(f, "H-8b", method, free, "angular momentum changes by %.2g %% a turn",
+            grade_add(f, "H-8b", method, free, "angular momentum changes by %.2g %% per turn",
                       -100 * select_number(t, row, "loss"));
         for (int v = 1; v < VARIANTS; v++)
             for (int s = 0; s < SCENES; s++) write_remedy(remedies, t, s, method, v);
@@ -142,7 +142,8 @@ static void check_remedies(Check *c, const Table *t)
           measure_with(J, J.value - 1), -1e-6, 1e-6);
     claim(
         c, "H-8a.subcycled",
-        "Imposed spin with F updated in four parts: J after ten turns over exp(2 pi w dt/4) a turn",
+        "Imposed spin with F updated in four parts: J after ten turns over exp(2 pi w dt/4) per "
+        "turn",
         measure_times(curve_worst(t, linear, 1, "J", "scene=spin variant=subcycled"), 1 / quarter),
         0.99, 1.01);
     claim(c, "H-8b.stretch",
@@ -165,16 +166,15 @@ static void check(Check *c, const Results *r)
         measure_add_max(&all, by);
     }
     claim(c, "H-8a.growth",
-          "Imposed spin: J grows by exp(2 pi w dt) a turn with GE-MPM, GE-GIMP, APIC, TPIC, WLS, "
+          "Imposed spin: J grows by exp(2 pi w dt) per turn with GE-MPM, GE-GIMP, APIC, TPIC, WLS, "
           "WLS2 and FEM: largest relative deviation",
           some, 0, 0.01);
-    claim_differs(
-        c, "H-8a.growth-all",
-        "Imposed spin: J grows by exp(2 pi w dt) a turn with every method that finishes: "
-        "largest relative deviation",
-        all, 0, 0.01, 0.01, 0.1,
-        "a turn GIMP and XPIC gain 3.9 % less, FMPM 2.1, B-splines 1.3, MPM 1.1: mass-weighted "
-        "projection underestimates rotation at edges");
+    claim_differs(c, "H-8a.growth-all",
+                  "Imposed spin: J grows by exp(2 pi w dt) per turn with every method that "
+                  "finishes: largest relative deviation",
+                  all, 0, 0.01, 0.01, 0.1,
+                  "per turn GIMP and XPIC gain 3.9 % less, FMPM 2.1, B-splines 1.3, MPM 1.1: "
+                  "mass-weighted projection underestimates rotation at edges");
     claim(c, "H-8a.extent",
           "Imposed spin: after a quarter turn particle boxes have no width left: least |F_xx| of "
           "GIMP",
@@ -186,13 +186,13 @@ static void check(Check *c, const Results *r)
         1.015, 1.03,
         "it is bounded by 1.022 (FEM), 1.015 (GE-GIMP), 1.012 (APIC), 1.007 (GIMP): the block "
         "starts without the strain of its spin and breathes");
-    claim(c, "H-8b.gimp", "Free spin: GIMP loses 1.7 % of its angular momentum a turn",
+    claim(c, "H-8b.gimp", "Free spin: GIMP loses 1.7 % of its angular momentum per turn",
           select_value(t, "loss", "scene=free variant=usual method=gimp"), 0.012, 0.022);
     claim_differs(c, "H-8b.ge-gimp",
-                  "Free spin: GE-GIMP loses a tenth of a per cent of its angular momentum a turn",
+                  "Free spin: GE-GIMP loses a tenth of a per cent of its angular momentum per turn",
                   select_value(t, "loss", "scene=free variant=usual method=ge_gimp"), 0.0005, 0.002,
                   0, 0.0005,
-                  "it loses .024 % a turn, a quarter of that, on this mesh of 16 cells a side");
+                  "it loses .024 % per turn, a quarter of that, on this mesh of 16 cells per side");
     check_remedies(c, t);
 }
 

@@ -168,8 +168,8 @@ static void check(Check *c, const Results *r)
                   "WLS2 keeps its energy bounded: share gained in twenty periods of the ring",
                   curve_worst(t, "wls2", 1, "gain", "problem=ring variant=usual runs=2"), -1,
                   growth, growth, 1,
-                  "it creeps up by 12 %, half as much as WLS's: what was fitted through splines is "
-                  "returned through tents, on which H-2's ringing feeds");
+                  "it creeps up by 12 %, half as much as WLS's: velocities fitted through splines "
+                  "are returned through tents, which amplifies the null space (H-2)");
     claim(c, "H-13.spline",
           "WLS, WLS2 with return=spline keep their energy bounded: most gained in twenty periods "
           "of the ring",

@@ -1,7 +1,7 @@
 /* t_01_ge_wls.c: gradient-enhanced WLS beside FEM at equal mesh size and WLS2: ring, axis_mms,
  * vortex, plate and disk; whole rings off the grid lines, long times, denser particles and many
- * time steps. Most parts were chosen on one ring; the other scenes show what of that is luck (part
- * by part: t_01_parts.c). Errors as in the rows; CFL .3 on the ring. */
+ * time steps. Most parts were chosen by their error on one ring; the other scenes show whether they
+ * also help elsewhere (part by part: t_01_parts.c). Errors as in the rows; CFL .3 on the ring. */
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include "studies/tables/curves.h"
@@ -16,7 +16,8 @@ static const double late = 4;                   /* [s] the disk's second impact 
 static const char *const rivals[] = {"ge_wls", "wls2", "fem"};
 enum { RIVALS = sizeof rivals / sizeof *rivals };
 
-/* Numbers k/golden ratio: as even as random ones can be, and the same for ever. */
+/* Fractional part of k times an irrational ratio: spread evenly over [0, 1), and the same in every
+ * run. */
 static double spread(int k, double ratio)
 {
     return fmod(k * ratio, 1);

@@ -161,7 +161,7 @@ static void check(Check *c, const Results *r)
           "Axis-aligned waves in 2D, FEM: largest stable CFL, worst amplitude (own measurement)",
           plane(worst, "fem", "cd"), 0.6, 0.8);
     claim(c, "T-4.stale",
-          "Standing waves: methods that project twice a step with a stale gradient are stable at "
+          "Standing waves: methods that project twice per step with a stale gradient are stable at "
           "no step: largest stable CFL of all of them",
           best_stale(worst), 0, 0);
 }

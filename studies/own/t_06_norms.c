@@ -123,7 +123,7 @@ static Measure norm(const Table *t, int ladder, const char *method, int k, const
                         k);
 }
 
-/* Of norm k; it stands on as many rows as there are meshes. */
+/* Of norm k; it is computed from as many rows as there are meshes. */
 static Measure order(const Table *t, int ladder, const char *method, int k)
 {
     const Measure m = norm(t, ladder, method, k, "order"),

@@ -1,11 +1,11 @@
 /* t_18_atlas.c: which findings of the hard cases in the plane hold in three dimensions? H-1, H-2,
- * H-5, H-8, H-12 and H-14 on coarse meshes; what is measured: the pages hard/h_*.c.
+ * H-5, H-8 and H-14 on coarse meshes; what is measured: the pages hard/h_*.c.
  *
- *   H-1   one step of a stretched block in uniform motion: nodal forces four cells and more inside
+ *   H-1   one step of a stretched block in uniform motion: nodal forces four cells and more inside;
+ *         a block that drifts from node to node with its particles on nodes
  *   H-2   particle velocities that alternate: their amplitude after 300 steps
  *   H-5   a corner that reaches .01 h into empty cells: the largest stable step of a few
  *   H-8   one turn, imposed (growth of J over exp(2 pi w dt)) or free (loss of angular momentum)
- *   H-12  a block drifts from node to node with its particles on nodes
  *   H-14  a block falls freely */
 #include <math.h>
 #include "studies/tables/block_nodes.h"

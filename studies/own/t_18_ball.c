@@ -1,6 +1,6 @@
 /* t_18_ball.c: energy of a ball through its impact on the floor: W11 fig. 8 in three dimensions. It
- * flies at 45 degrees: kinetic energy is halved when the ball stands still against the floor, and
- * what comes back of it is judged at t = 2.3, before it meets the right wall. */
+ * flies at 45 degrees: kinetic energy is halved when the ball is at rest against the floor; the
+ * energy after the rebound is taken at t = 2.3, before it meets the right wall. */
 #include "studies/tables/bounce.h"
 #include "studies/tables/curves.h"
 

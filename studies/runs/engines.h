@@ -23,7 +23,8 @@ const Info *engine_method(const char *name);
 /* "GE-GIMP" for "ge_gimp", from any dimension; or the name itself. */
 const char *engine_label(const char *method);
 
-/* Each method of an engine as `const Info *m`, in the registry's order: all; those with a grid. */
+/* Loops over the methods of an engine in the registry's order, each as `const Info *m`: EACH_METHOD
+ * over all, EACH_GRID_METHOD over those with a grid. */
 #define EACH_METHOD(m, engine)                                                                     \
     for (const Info *const *m##_place = (engine)->methods, *m; (m = *m##_place); m##_place++)
 #define EACH_GRID_METHOD(m, engine)                                                                \

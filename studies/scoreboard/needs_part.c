@@ -18,7 +18,7 @@ static const struct Need {
      "problem=axis_mms cells=32 status=ok", "error", 0,
      "largest error %.3g of the amplitude, axis_mms, N = 32"},
     {"large rotation", "h_08_spin", "turns", "scene=free variant=usual status=ok", "loss", 0,
-     "angular momentum changes by %.2g of itself a turn"},
+     "angular momentum changes by %.2g of itself per turn"},
     {"large shear", "h_15_large_deformation", "errors", "cells=24 status=ok", "error", 0,
      "largest error %.3g m, vortex, G = .5, N = 24"},
     {"a nearly incompressible material: displacements (pressures oscillate with every method)",

@@ -1,7 +1,7 @@
 /* bounce.h: energies of a body that flies into a corner of two walls, from the history of a run:
- * W11 fig. 8 and the ball in 3D. Kinetic energy is least when the body stands still against the
- * floor, before t = 1.6; what comes back of it is judged at t = 2.3, before it meets the right
- * wall. */
+ * W11 fig. 8 and the ball in 3D. Kinetic energy is least when the body is at rest against the
+ * floor, before t = 1.6; the energy after the rebound is taken at t = 2.3, before it meets the
+ * right wall. */
 #ifndef MPMLAB_BOUNCE_H
 #define MPMLAB_BOUNCE_H
 

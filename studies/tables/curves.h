@@ -24,8 +24,8 @@ Measure curve_max(const Curve *c, int needs);
 /* The least x of the curve from which on every y is at most level; NAN if the last is above it. */
 Measure curve_settles(const Curve *c, double level, int needs);
 
-/* Largest |y/printed - 1| at the n points x = first, 2 first, 4 first, ...; the last one counts as
- * `last` of that. */
+/* Largest |y/printed - 1| at the n points x = first, 2 first, 4 first, ...; the deviation of the
+ * last point is multiplied by `last`. */
 Measure curve_deviation(const Curve *c, double first, int n, const double printed[], double last);
 
 /* Mean over a's points of a's y over b's at the same x; `needs` points of each. */

@@ -34,8 +34,8 @@ static int count_inside(const Table *t)
     return n;
 }
 
-/* MPM on the ring: error with radial particles over that with the lattice, what the pattern alone
- * does to a whole run. */
+/* MPM on the ring: error with radial particles over that with the lattice: the effect of the layout
+ * alone on a whole run. */
 static Measure radial_ratio(const Table *rows, int n)
 {
     static const char where[] = "method=mpm layout=%s cells=%d";
@@ -49,12 +49,14 @@ static void check(Check *c, const Results *r)
                   "MPM is much less accurate with a radial pattern: its largest error on the ring, "
                   "N = 16, over that with the lattice",
                   radial_ratio(r->rows, CELLS), 1.5, 100, 0.6, 1,
-                  "it is .74: a radial pattern fits the round body, which a lattice does not");
+                  "its error is .74 of that with the lattice: a radial pattern fits the round "
+                  "body, which a lattice does not");
     claim_differs(c, "W07-1.radial-fine",
                   "MPM is much less accurate with a radial pattern: its largest error on the ring, "
                   "N = 32, over that with the lattice",
                   radial_ratio(r->rows, FINE), 1.5, 100, 0.9, 1.3,
-                  "it is 1.08: a radial pattern fits the round body, which a lattice does not");
+                  "its error is 1.08 times that with the lattice: a radial pattern fits the round "
+                  "body, which a lattice does not");
     claim_note(c, "cells", CELLS);
     claim_note(c, "first_cell", FIRST);
     claim_note(c, "last_cell", LAST);

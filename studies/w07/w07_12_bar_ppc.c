@@ -3,7 +3,7 @@
  *
  * 40 cells, N = 41, 50, ... 392 particles for one period (and 1/4, 1/2, 2); the error is a running
  * maximum, so it grows with duration. The census counts the runs of N = 41, 49, ... 393 that end
- * before five periods. Orders in h are taken at three awkward numbers of particles per cell. */
+ * before five periods. Orders in h: at three PPC that are not whole. */
 #include <math.h>
 #include "forty_percent.h"
 #include "studies/runs/run_row.h"
@@ -64,14 +64,13 @@ static void tables(const Results *r)
         }
 }
 
-/* Is this an awkward number of particles per cell, from low to high: no whole one? */
+/* Does this number of particles per cell lie between low and high, and is it not a whole one? */
 static bool is_awkward(double ppc, double low, double high)
 {
     return ppc > low && ppc < high && fabs(ppc - round(ppc)) > 1e-9;
 }
 
-/* Median error over awkward numbers of particles, low to high a cell. Runs of MPM that are lost
- * count as infinitely wrong; no other method may lose one. */
+/* Median error at awkward PPC; a lost run of MPM counts as an infinite error, others lose none. */
 static Measure typical(const Table *t, int method, double periods, double low, double high)
 {
     double errors[RUNS];
@@ -138,8 +137,8 @@ static void check_losses(Check *c, const Table *t)
     claim(c, "W07-12.ge-gimp-lost", "Stopped bar: no GE-GIMP run is lost in five periods",
           lost_by(t, GE_GIMP, 5, 5, INFINITY), 0, 0);
     claim(c, "W07-12.ge-mpm-unstable",
-          "Stopped bar: GE-MPM is pathologically unstable: share of runs lost, or wrong by .2 v0 "
-          "L/c, by two periods",
+          "Stopped bar: GE-MPM is pathologically unstable: share of runs lost, or with an error "
+          "above .2 v0 L/c, by two periods",
           measure_times(lost_by(t, GE_MPM, 2, 2, 0.2), 1 / (double)RUNS), 0.8, 1);
 }
 
@@ -150,15 +149,16 @@ static void check_forty_percent(Check *c, const Table *t)
         ratios[d] = measure_ratio(typical(t, GE_GIMP, durations[d], 2, 10),
                                   typical(t, GIMP, durations[d], 2, 10));
     claim(c, "W07-12.ratio",
-          "Stopped bar: GE-GIMP's median error over GIMP's, one period, PPC 2 to 10 but whole ones",
+          "Stopped bar: GE-GIMP's median error over GIMP's, one period, PPC 2 to 10 without whole "
+          "numbers",
           ratios[2], 0.69, 0.77);
     claim(c, "W07-12.ratio-least",
-          "Stopped bar: GE-GIMP's median error over GIMP's, PPC 2 to 10 but whole ones, "
+          "Stopped bar: GE-GIMP's median error over GIMP's, PPC 2 to 10 without whole numbers, "
           "least of 1/4, 1/2, 1, 2 periods",
           measure_least(4, ratios), 0.66, 0.74);
     claim_differs(c, "W07-12.forty-percent",
                   "Gradient enhancement lowers GIMP's error by about forty percent, stopped bar: "
-                  "ratio of the medians after one period, PPC 2 to 10 but whole ones",
+                  "ratio of the medians after one period, PPC 2 to 10 without whole numbers",
                   ratios[2], FORTY_PERCENT_LOW, FORTY_PERCENT_HIGH, 0.70, 0.77,
                   "it saves 27 percent of the largest error after one period, 19 to 30 after 1/4 "
                   "to 2; 47 percent of a smooth solution's (W07-13)");
@@ -169,18 +169,18 @@ static void check(Check *c, const Results *r)
     const Table *t = r->rows;
     claim_note(c, "mpm_median", typical(t, MPM, 1, 2, 10).value);
     claim(c, "W07-12.gimp-median",
-          "Stopped bar: GIMP's median error after one period, PPC 2 to 10 but whole ones",
+          "Stopped bar: GIMP's median error after one period, PPC 2 to 10 without whole numbers",
           typical(t, GIMP, 1, 2, 10), 0.0453, 0.0513);
     claim(c, "W07-12.ge-gimp-median",
-          "Stopped bar: GE-GIMP's median error after one period, PPC 2 to 10 but whole ones",
+          "Stopped bar: GE-GIMP's median error after one period, PPC 2 to 10 without whole numbers",
           typical(t, GE_GIMP, 1, 2, 10), 0.0325, 0.0385);
     claim(c, "W07-12.low-ppc",
           "Stopped bar: GIMP is far better at few particles per cell: MPM's median error over "
-          "GIMP's, PPC 1 to 3 but whole ones, lost runs infinitely wrong",
+          "GIMP's, PPC 1 to 3 without whole numbers, a lost run counts as an infinite error",
           measure_ratio(typical(t, MPM, 1, 1, 3), typical(t, GIMP, 1, 1, 3)), 2, 100);
     claim(c, "W07-12.consistent",
-          "Stopped bar: GIMP's error depends little on the number of particles, PPC 1 to 10 but "
-          "whole ones: its largest over its median, over the same of MPM",
+          "Stopped bar: GIMP's error depends little on the number of particles, PPC 1 to 10 "
+          "without whole numbers: its largest over its median, over the same of MPM",
           measure_ratio(unevenness(t, GIMP), unevenness(t, MPM)), 0, 0.7);
     check_forty_percent(c, t);
     check_losses(c, t);

@@ -6,7 +6,7 @@
 #include "studies/tables/curves.h"
 #include "studies/tables/patches.h"
 
-enum { CELLS = 8, FINE = 2000 /* samples a metre */, CORNERS = 200, BOXES = 100 };
+enum { CELLS = 8, FINE = 2000 /* samples per metre */, CORNERS = 200, BOXES = 100 };
 static const double late_inner = 0.375, late_outer = 0.9; /* of the exact solution at 10 ms */
 
 static const char *const methods[] = {"wls", "wls2"};

@@ -60,7 +60,8 @@ static void check_fem(Check *c, const Table *t)
           error_at(t, "fem", "cartesian", 32), 0.95 * 3.50e-4, 1.05 * 3.50e-4);
     claim(c, "W11-6.fem-order", "Ring: FEM is of second order: order over N = 8 to 128",
           order(t, "fem", "cartesian", 8, 128, MESHES), 1.9, 2.1);
-    claim(c, "W11-6.fem-best", "Ring: FEM is the most accurate at N = 32: its error over GIMP's",
+    claim(c, "W11-6.fem-best",
+          "Ring: FEM is more accurate than GIMP on the lattice at N = 32: its error over GIMP's",
           measure_ratio(error_at(t, "fem", "cartesian", 32), error_at(t, "gimp", "cartesian", 32)),
           0, 0.5);
 }
@@ -83,7 +84,8 @@ static void check_gimp(Check *c, const Table *t)
         measure_ratio(error_at(t, "gimp", "radial", 32), at_32), 1, 100, 0.12, 0.25,
         "fitted particles have .18 of the lattice's error at N = 32, then stall; both are shown");
     claim(c, "W11-6.ge-gain",
-          "Ring: GE gains nothing on lattice particles: its error over GIMP's at N = 32",
+          "Ring: gradient enhancement gains nothing with particles on the lattice: GE-GIMP's error "
+          "over GIMP's at N = 32",
           measure_ratio(error_at(t, "ge_gimp", "cartesian", 32), at_32), 1, 1.3);
     claim(c, "W11-6.gimp-cfl",
           "Ring: GIMP's error is flat in CFL .05 to .6 at N = 32: (largest - smallest)/largest",
@@ -144,7 +146,7 @@ static void check_orders(Check *c, const Table *t)
                   measure_ratio(curve_at(&step, 0.6), curve_at(&step, 0.3)), 1.1, 100, 0.9, 1,
                   ".93: the larger step is slightly more accurate, as at N = 32");
     claim(c, "W11-6.cell-size",
-          "Ring: the cell size is a reliable distance for the time step: WLS runs lost at CFL .05 "
+          "Ring: the cell size is a safe length in the time step limit: WLS runs lost at CFL .05 "
           "to .7, N = 32, of 8",
           lost_steps(t), 0, 0);
 }

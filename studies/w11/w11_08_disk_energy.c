@@ -1,8 +1,8 @@
 /* w11_08_disk_energy.c: kinetic, strain and total energy of the disk through two impacts, every
  * method. Wallstedt and Guilkey (2011), fig. 8. And a moving picture of one of them.
  *
- * The disk flies at 45 degrees: kinetic energy is halved when it stands still against the floor at
- * t ~ .93, and what comes back of it is judged at t = 2.3, before it meets the right wall. */
+ * The disk flies at 45 degrees: kinetic energy is halved when it is at rest against the floor at
+ * t ~ .93; the energy after the rebound is taken at t = 2.3, before it meets the right wall. */
 #include <math.h>
 #include "studies/tables/bounce.h"
 #include "studies/tables/curves.h"

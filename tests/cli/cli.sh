@@ -270,7 +270,7 @@ ok "one method only" test "$(cut -d, -f2 e/$study.csv | sort -u | tr '\n' ' ')" 
 run claims --out e
 ok "and no verdict on it" grep -q '^NOT_RUN' out
 run study $study --out f --list
-ok "list: a command a case" test "$(lines out)" -eq "$all"
+ok "list: one command per case" test "$(lines out)" -eq "$all"
 head -n 3 out >three
 ok "commands run as they are" bash -c 'bash ./three >/dev/null'
 run study $study --out f --collect
@@ -309,7 +309,7 @@ ok "no gnuplot: status 0, one line" test $? -eq 0 -a "$(lines err)" -eq 1 -a -s 
 refused "out below a file" 1 "t.csv" study $study --out t.csv/x
 run claims --out a
 ok "claims" test "$status" -eq 0 -o "$status" -eq 3
-ok "a line a claim" test "$(lines out)" -eq $(($(lines a/claims.csv) - 1))
+ok "one line per claim" test "$(lines out)" -eq $(($(lines a/claims.csv) - 1))
 sed -i '2s/mpm/mpn/' a/$study.csv
 run claims --out a
 ok "a table that was edited is not judged" grep -q '^NOT_RUN.*not the one' out

@@ -30,7 +30,7 @@ cd "$work" || exit 1
 collected() {
     local before after
     before=$(find "$1" -path '*.collect/*.csv' | wc -l)
-    ok "$1: a file a case: $before of $cases" test "$before" -eq "$cases"
+    ok "$1: one file per case: $before of $cases" test "$before" -eq "$cases"
     "$program" study "${study[@]}" --out "$1" --collect
     ok "$1: collect" cmp -s <(untimed "plain/$table") <(untimed "$1/$table")
     after=$(wc -l <"$1/quick/w07_13_sine_bar.rows")

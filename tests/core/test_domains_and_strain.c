@@ -233,8 +233,8 @@ static void test_updates(void)
     }
 }
 
-/* An imposed spin (or in 1D growth), a hundred steps a turn: the linear rule's volume grows by
- * exp(2 pi w dt) a turn, k cycles' by the k-th root of that, the exponential's not at all. */
+/* An imposed spin (or in 1D growth), a hundred steps per turn: the linear rule's volume grows by
+ * exp(2 pi w dt) per turn, k cycles' by the k-th root of that, the exponential's not at all. */
 static void test_spin(void)
 {
     const double step = 2 * M_PI / 100;

@@ -1,4 +1,4 @@
-/* test_statements.c: every claim on a page of a paper stands on one sentence of it or is said to be
+/* test_statements.c: every claim on a page of a paper tests one sentence of it or is said to be
  * our own; every sentence has a claim or a reason; claims can be read alone, and can fail. */
 #include <ctype.h>
 #include <stdlib.h>

@@ -227,7 +227,7 @@ static void test_orders(void)
 static void one_claim(Check *c, const Results *r)
 {
     CU_ASSERT(results_part(r, "absent")->nrow == 0);
-    claim(c, "T.one", "stands on nothing of the sort", measure(1, 1, 1), 0, 2);
+    claim(c, "T.one", "needs no row of a table", measure(1, 1, 1), 0, 2);
 }
 
 /* A page whose table is missing still makes its claims; one that makes others than it declares is

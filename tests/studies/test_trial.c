@@ -228,7 +228,7 @@ static void spoil(const Trial *t, int row, Spoiled how, bool stands[])
     free(c.list);
 }
 
-/* A claim stands on a row if it changes with the row's numbers, or without the row. */
+/* A claim uses a row if it changes with the row's numbers, or without the row. */
 static void check_one_lost(Trial *t)
 {
     enum { TRIED = 4 };
