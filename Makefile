@@ -179,11 +179,11 @@ rank: all ## does a second run rank the methods by speed as the first did?
 lint: ## conventions, warnings of gcc and clang, public names
 	BUILD=$(BUILD)/lint bash tests/tools/lint.sh
 
-# The same tests under the address and undefined-behaviour sanitizers.
+# The same tests under the address and undefined-behaviour sanitizers, which end a program at what they find.
 san: ## fuzzing for seconds, then the tests under sanitizers
 	$(MAKE) fuzz SECONDS=2
 	$(MAKE) BUILD=$(BUILD)/san ARCH= OPT='-O1 -fno-omit-frame-pointer' \
-	  SAN=-fsanitize=address,undefined quick
+	  SAN='-fsanitize=address,undefined -fno-sanitize-recover=undefined' quick
 
 # What takes minutes, each ending in a line of counts.
 builds repeat memcheck coverage: ## portable builds; results twice; valgrind; lines that tests reach

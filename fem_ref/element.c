@@ -27,7 +27,7 @@ static inline void gather_four(const Fem *f, int start, int e, Edges edge)
         const int *corner = f->corner[k + 1] + start + e;
         for (int i = 0; i < FOUR; i++) along[i] = *(const Four *)&f->now[corner[i]] - first[i];
         four_transpose(along);
-        for (int a = 0; a < DIM; a++) *(Four *)&edge[k][a][e] = along[a];
+        for (int a = 0; a < DIM; a++) *(FourOfField *)&edge[k][a][e] = along[a];
     }
 }
 
@@ -79,7 +79,7 @@ static inline void pack(Field out[CORNERS][DIM], Packed *force)
         for (int e = 0; e < CHUNK; e += FOUR) {
             Four own[FOUR] = {{0}};
             Four *to = (Four *)&force[c * CHUNK + e];
-            for (int a = 0; a < DIM; a++) own[a] = *(const Four *)&out[c][a][e];
+            for (int a = 0; a < DIM; a++) own[a] = *(const FourOfField *)&out[c][a][e];
             if (DIM == 2) {
                 to[0] = __builtin_shufflevector(own[0], own[1], 0, 4, 1, 5);
                 to[1] = __builtin_shufflevector(own[0], own[1], 2, 6, 3, 7);

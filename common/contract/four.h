@@ -8,6 +8,10 @@
 enum { FOUR = 4 };
 typedef double Four __attribute__((vector_size(FOUR * sizeof(double)), may_alias));
 
+/* The same in a field, which is an array of doubles and may begin at any of them. */
+typedef double FourOfField
+    __attribute__((vector_size(FOUR * sizeof(double)), may_alias, aligned(sizeof(double))));
+
 /* Rows become columns. */
 static inline __attribute__((always_inline)) void four_transpose(Four a[FOUR])
 {
@@ -27,7 +31,7 @@ static inline void four_lines_from_fields(Field field[LANES], Line line[CHUNK])
     for (int l = 0; l < LANES; l += FOUR)
         for (int p = 0; p < CHUNK; p += FOUR) {
             Four a[FOUR];
-            for (int k = 0; k < FOUR; k++) a[k] = *(const Four *)&field[l + k][p];
+            for (int k = 0; k < FOUR; k++) a[k] = *(const FourOfField *)&field[l + k][p];
             four_transpose(a);
             for (int k = 0; k < FOUR; k++) *(Four *)((double *)&line[p + k] + l) = a[k];
         }
@@ -43,7 +47,7 @@ static inline void four_fields_from_lines(const Line line[CHUNK], double scale, 
             four_transpose(a);
             for (int k = 0; k < FOUR; k++) {
                 if (l + k >= FLUX) a[k] *= scale;
-                *(Four *)&field[l + k][p] = a[k];
+                *(FourOfField *)&field[l + k][p] = a[k];
             }
         }
 }
@@ -54,7 +58,7 @@ static inline void four_momentum_lanes(Field field[DIM], double scale, Line line
 {
     for (int p = 0; p < CHUNK; p += FOUR) {
         Four a[FOUR] = {{0}};
-        for (int k = 0; k < DIM; k++) a[1 + k] = *(const Four *)&field[k][p] * scale;
+        for (int k = 0; k < DIM; k++) a[1 + k] = *(const FourOfField *)&field[k][p] * scale;
         four_transpose(a);
         for (int k = 0; k < FOUR; k++) ((Four *)&line[p + k])[group] = a[k];
     }

@@ -8,7 +8,8 @@
 static void *nodes_of(size_t n, size_t size)
 {
     void *memory = NULL;
-    return posix_memalign(&memory, 64, (n + 1) * size) ? NULL : memory;
+    const size_t line = _Alignof(Line) > CACHE_LINE ? _Alignof(Line) : CACHE_LINE; /* 3D: 128 */
+    return posix_memalign(&memory, line, (n + 1) * size) ? NULL : memory;
 }
 
 static void read_choices(const double par[], Wls *w)

@@ -17,7 +17,7 @@ unset key
 set ytics noenhanced # names of methods: no subscripts
 bar = 0.31
 named(name, integrator) = strcol(name).(strcol(integrator) eq '-' ? '' : ', '.strcol(integrator))
-colour(c) = c[1:5] eq 'bound' || c[1:3] eq 'two' ? 0x999999 : c eq 'twin' || c[1:4] eq 'bare' ? 0xD55E00 : c[1:3] eq 'fem' ? 0x000000 : 0x0072B2
+colour(c) = c[1:5] eq 'bound' || c[1:4] eq 'two-' ? 0x999999 : c eq 'twin' || c[1:4] eq 'bare' ? 0xD55E00 : c[1:3] eq 'fem' ? 0x000000 : 0x0072B2
 cost(c) = c[strlen(c) - 3:] eq '-run' ? column(10) : column(3)
 plot csv skip 1 using (3):0:(3):(cost(strcol(1))):($0 - bar):($0 + bar):(colour(strcol(1))):ytic(named(1, 9)) \
          with boxxyerror lc rgb variable, \
