@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #undef CU_assertImplementation
@@ -98,6 +99,7 @@ int main(void)
 Table *check_table(const char *text)
 {
     static const char path[] = "scratch/check.csv";
+    mkdir("scratch", 0777);
     FILE *f = fopen(path, "w");
     CU_ASSERT_PTR_NOT_NULL_FATAL(f);
     fputs(text, f);

@@ -142,10 +142,8 @@ static double pic_of(const Method *m, int k)
 {
     double par[MAX_PARAMS] = {0};
     const Param *p = m->info.params;
-    Method own = *m;
     for (int n = 0; p && p[n].name; n++) par[n] = n == k ? 0.5 * (p[n].min + p[n].max) : p[n].value;
-    if (m->adapt) m->adapt(par, &own);
-    return own.pic;
+    return method_adapted(m, par).pic;
 }
 
 double fixture_pic(const Method *m)

@@ -27,7 +27,7 @@ static bool field_used(const Sim *sim, int field)
     return true;
 }
 
-static void *get(size_t n, size_t size)
+void *sim_array(size_t n, size_t size)
 {
     void *memory = NULL;
     const size_t line = _Alignof(Line) > 64 ? _Alignof(Line) : 64; /* 3D: two cache lines */
@@ -41,7 +41,7 @@ static void *get_huge(size_t n, size_t size)
 {
     enum { HUGE = 1 << 21 };
     void *memory = NULL;
-    if (n * size < 2 * HUGE) return get(n, size);
+    if (n * size < 2 * HUGE) return sim_array(n, size);
     if (posix_memalign(&memory, HUGE, n * size)) return NULL;
     madvise(memory, n * size, MADV_HUGEPAGE); /* else it stays as it is */
     return memory;
@@ -65,20 +65,20 @@ static bool grid_alloc(Sim *sim)
         longest = g->n[d] > longest ? g->n[d] : longest;
         ok = (g->hold[d] = calloc((size_t)g->n[d], 1)) && ok;
     }
-    ok = (g->node = get(n, sizeof(Line))) && ok;
-    ok = (g->lo = get((size_t)g->rows, sizeof(int))) && ok;
-    ok = (g->hi = get((size_t)g->rows, sizeof(int))) && ok;
+    ok = (g->node = sim_array(n, sizeof(Line))) && ok;
+    ok = (g->lo = sim_array((size_t)g->rows, sizeof(int))) && ok;
+    ok = (g->hi = sim_array((size_t)g->rows, sizeof(int))) && ok;
     ok = (g->live = calloc((size_t)g->rows, sizeof(int))) && ok;
     for (int d = 0; d < DIM && has_moving_walls(s->scene); d++)
         ok = (g->drive[d] = calloc((size_t)g->n[d], sizeof(double))) && ok;
     if (has_moving_walls(s->scene)) ok = (g->work = calloc((size_t)g->rows, sizeof(double))) && ok;
     ok = (g->impulse = calloc((size_t)g->rows, sizeof(Vec))) && ok;
-    ok = (g->count = get((size_t)longest + 1, sizeof(int))) && ok;
+    ok = (g->count = sim_array((size_t)longest + 1, sizeof(int))) && ok;
     if (s->scene->problem->body || s->scene->traction)
-        ok = (g->force = get(n * DIM, sizeof(double))) && ok;
+        ok = (g->force = sim_array(n * DIM, sizeof(double))) && ok;
     if (s->scene->traction && s->method->assemble)
-        ok = (g->outward = get(n * DIM, sizeof(double))) && ok;
-    if (s->method->filter) ok = (g->keep = get(n, sizeof(Line))) && ok;
+        ok = (g->outward = sim_array(n * DIM, sizeof(double))) && ok;
+    if (s->method->filter) ok = (g->keep = sim_array(n, sizeof(Line))) && ok;
     if (s->snapshot_nodes) ok = (g->mass = calloc(n, sizeof(double))) && ok;
     if (!s->method->assemble) ok = (g->body = calloc(n, 1)) && ok;
     return ok;
@@ -109,10 +109,10 @@ static bool particles_alloc(Sim *sim)
     const size_t room = (size_t)p->room;
     bool ok = (sim->block = calloc((size_t)blocks, sizeof(Block))) != NULL;
     ok = fields_alloc(sim) && ok;
-    ok = (p->id = get(room, sizeof(int))) && ok;
-    ok = (p->order = get(room, sizeof(int))) && ok;
-    ok = (p->source = get(room, sizeof(int))) && ok;
-    for (int d = 0; d < DIM; d++) ok = (p->key[d] = get(room, sizeof(int))) && ok;
+    ok = (p->id = sim_array(room, sizeof(int))) && ok;
+    ok = (p->order = sim_array(room, sizeof(int))) && ok;
+    ok = (p->source = sim_array(room, sizeof(int))) && ok;
+    for (int d = 0; d < DIM; d++) ok = (p->key[d] = sim_array(room, sizeof(int))) && ok;
     return ok;
 }
 
@@ -263,7 +263,7 @@ static int build(Sim *sim, Layout *layout, Fault *fault)
 
 Sim *sim_new(const Setup *setup, Fault *fault)
 {
-    Sim *sim = get(1, sizeof *sim);
+    Sim *sim = sim_array(1, sizeof *sim);
     Layout layout = {0};
     if (!sim) {
         fault_set(fault, FAULT_MACHINE, "out of memory");

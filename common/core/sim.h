@@ -129,6 +129,10 @@ typedef struct Sim {
 Sim *sim_new(const Setup *setup, Fault *fault);
 void sim_free(Sim *sim);
 
+/* Memory for n elements and one more, aligned for lines of nodes, not cleared; to be freed. NULL:
+ * there is none. */
+void *sim_array(size_t n, size_t size);
+
 /* Memory [bytes] of a particle; of a live node, which is all that a grid takes: what no particle
  * has touched stays untouched pages. Setup and method must be set, and the scene where it has body
  * forces. */

@@ -34,7 +34,8 @@ typedef struct BodyLoad {
 
 /* [J] Work of the body forces on each point's displacement since an instant before, at which it was
  * at before[id]: the sum of m (b + b_before)/2 . (x - x_before), b = b(X, t). FLIP particles do not
- * move with their own velocities, so these do not enter. Then before[] is what it is at t. */
+ * move with their own velocities, so these do not enter. before[] is replaced by the values of t.
+ */
 double ledger_work(const Scene *scene, const Points *p, double t, BodyLoad before[], int threads,
                    Scratch *s);
 

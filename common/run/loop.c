@@ -131,7 +131,8 @@ void loop_record_errors(Loop *l, Errors e)
     l->worst.l1 = larger(l->worst.l1, e.l1);
 }
 
-/* Work of body forces on the displacements since they were kept to time t, and keeps them again. */
+/* Work of body forces from the instant that l->loads holds to time t, whose positions and forces
+ * replace it there. */
 static double work_until(Loop *l, double t)
 {
     const Points p = points_of(l);

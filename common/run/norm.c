@@ -25,7 +25,7 @@ void norm_scratch_free(Scratch *s)
 const Errors norm_no_errors = {NAN, NAN, NAN};
 
 /* The larger number, or NaN if one of them is. */
-static double larger(double a, double b)
+static double worse(double a, double b)
 {
     return isnan(a) || b <= a ? a : b;
 }
@@ -37,7 +37,7 @@ typedef struct Sums {
 
 static Sums sums_add(Sums a, Sums b)
 {
-    return (Sums){larger(a.most, b.most), a.square + b.square, a.sum + b.sum, a.weight + b.weight};
+    return (Sums){worse(a.most, b.most), a.square + b.square, a.sum + b.sum, a.weight + b.weight};
 }
 
 /* Of errors e[] with weights w[], points without weight apart. Sums run over lanes, so that the
@@ -52,7 +52,7 @@ static Sums sums_of(int n, const double e[], const double w[])
         for (int k = 0; k < LANE; k++) {
             const bool counts = w[at + k] > 0;
             const double own = counts ? w[at + k] : 0, error = counts ? e[at + k] : 0;
-            most[k] = larger(most[k], error);
+            most[k] = worse(most[k], error);
             square[k] += own * error * error;
             sum[k] += own * error;
             weight[k] += own;

@@ -5,13 +5,6 @@
 #include "wls.h"
 #include "common/core/each.h"
 
-static void *nodes_of(size_t n, size_t size)
-{
-    void *memory = NULL;
-    const size_t line = _Alignof(Line) > CACHE_LINE ? _Alignof(Line) : CACHE_LINE; /* 3D: 128 */
-    return posix_memalign(&memory, line, (n + 1) * size) ? NULL : memory;
-}
-
 static void read_choices(const double par[], Wls *w)
 {
     w->linear = (int)par[P_STRESS] == STRESS_LINEAR;
@@ -31,11 +24,11 @@ static void read_choices(const double par[], Wls *w)
 bool wls_alloc(const Sim *sim, Wls *w)
 {
     const size_t n = (size_t)sim->g.rows * (size_t)sim->g.n[0];
-    w->fit = nodes_of(n, sizeof *w->fit);
-    w->skin = nodes_of(n, sizeof *w->skin);
+    w->fit = sim_array(n, sizeof *w->fit);
+    w->skin = sim_array(n, sizeof *w->skin);
     w->skinned = calloc(n + 1, sizeof *w->skinned);
-    w->most = nodes_of(n, sizeof *w->most);
-    w->good = nodes_of(n, 1);
+    w->most = sim_array(n, sizeof *w->most);
+    w->good = sim_array(n, 1);
     w->fallbacks = calloc((size_t)sim->g.rows, sizeof *w->fallbacks);
     return w->fit && w->skin && w->skinned && w->most && w->good && w->fallbacks;
 }
@@ -72,20 +65,20 @@ bool wls_make(Sim *sim)
     Wls *w = sim->own = calloc(1, sizeof *w);
     if (!w) return false;
     read_choices(sim->setup->method_par, w);
-    if (w->condition == CONDITION_COUNT) w->count = nodes_of(n, sizeof *w->count);
+    if (w->condition == CONDITION_COUNT) w->count = sim_array(n, sizeof *w->count);
     w->inside =
         2 * sim->setup->ppc / (double)CORNERS; /* eq 14: 2 with two particles per axis and cell */
     const double denser = sim->method.surface_per_cell / pow(sim->setup->ppc, 1.0 / DIM);
     w->surface_beta = 1;
     for (int d = 1; d < DIM && denser > 0; d++) w->surface_beta /= denser;
     if (has_inertia(w)) {
-        w->inertia = nodes_of(n, sizeof *w->inertia);
-        w->cell_mass = nodes_of(n, sizeof *w->cell_mass);
-        w->cut = nodes_of(n, sizeof *w->cut);
-        w->stops = nodes_of(n, 1);
+        w->inertia = sim_array(n, sizeof *w->inertia);
+        w->cell_mass = sim_array(n, sizeof *w->cell_mass);
+        w->cut = sim_array(n, sizeof *w->cut);
+        w->stops = sim_array(n, 1);
     }
-    if (w->distance_by == DISTANCE_CURVED) w->bend = nodes_of(n, sizeof *w->bend);
-    w->distance = nodes_of(n, sizeof *w->distance);
+    if (w->distance_by == DISTANCE_CURVED) w->bend = sim_array(n, sizeof *w->bend);
+    w->distance = sim_array(n, sizeof *w->distance);
     return wls_alloc(sim, w) && w->distance && (w->count || w->condition != CONDITION_COUNT) &&
            ((w->inertia && w->cell_mass && w->cut && w->stops) || !has_inertia(w)) &&
            (w->bend || w->distance_by != DISTANCE_CURVED);

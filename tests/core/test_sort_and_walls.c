@@ -149,8 +149,7 @@ static int check_wall(const Wall *w, bool images, const Nodes *n, double fastest
 static void check_walls(Fixture *r)
 {
     Nodes nodes;
-    Method own = *r->plan.setup.method;
-    if (own.adapt) own.adapt(r->plan.setup.method_par, &own);
+    const Method own = method_adapted(r->plan.setup.method, r->plan.setup.method_par);
     r->plan.setup.snapshot_nodes = true;
     void *core = particle_solver.make(&r->plan.setup, &r->fault);
     CU_ASSERT_PTR_NOT_NULL_FATAL(core);
