@@ -94,7 +94,7 @@ $(foreach d,1 2 3,$(eval $(call dimension,$(d))))
 # make figures QUICK=--quick: all figures from short runs, in minutes, without verdicts
 QUICK =
 
-figures: ## all studies, claims and build/out/index.html: 12 minutes on 2 cores; with QUICK=--quick: 2
+figures: ## all studies, claims and build/out/index.html (12 minutes on 2 cores; with QUICK=--quick 2)
 	@$(MAKE) --no-print-directory -j$(JOBS) all
 	$(BUILD)/mpmlab study all $(QUICK) --jobs $(JOBS)
 	$(if $(QUICK),,$(BUILD)/mpmlab claims && bash tests/tools/reach_table.sh $(BUILD)/out >$(BUILD)/out/reach.md)
@@ -137,7 +137,7 @@ SHELL_TESTS = example $(QUICK_TESTS) faults resume install cluster page
 RUN_SHELL   = $(SHELL_TESTS:%=run-%)
 RUN_UNIT    = $(UNIT_TESTS:$(BUILD)/tests/%=run-%)
 
-test: ## every test: 4 minutes on 2 cores
+test: ## every test (4 minutes on 2 cores)
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(AT_ONCE) $(RUN_SHELL)
 	bash tests/tools/reach_table.sh --check README.md $(BUILD)/out
@@ -157,7 +157,7 @@ $(RUN_UNIT): run-%:
 	  $(if $(ONLY_$*),ONLY='$(ONLY_$*)') OMP_WAIT_POLICY=passive $(CURDIR)/$(BUILD)/tests/$*
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
-bench: all $(BUILD)/tests/bench $(BUILD)/tests/palette ## speed: figure T-3, and instructions if valgrind is installed: 10 minutes
+bench: all $(BUILD)/tests/bench $(BUILD)/tests/palette ## speed: figure T-3, and instructions if valgrind is installed (10 minutes)
 	@$(MAKE) -s BUILD=$(BUILD)/avx2 ARCH=-march=x86-64-v3 all
 	BUILD=$(BUILD) bash tests/tools/bench.sh
 
@@ -169,28 +169,28 @@ $(BUILD)/tests/palette: $(BUILD)/d2/tests/tools/palette.o $(TEST_OBJECTS)
 	$(LINK)
 
 # Seeded faults in all parts of the program, a line each in tests/tools/mutants.list: the tests must see each.
-mutants: ## seeded faults, each of which a test must see: half an hour
+mutants: ## seeded faults, each of which a test must see (half an hour)
 	JOBS=$(JOBS) bash tests/tools/mutants.sh $(BUILD)/mutants
 
 # Does a second run of the speed-against-error study rank the methods as the first did?
 rank: all ## does a second run rank the methods by speed as the first did?
 	bash tests/tools/rank.sh $(BUILD)/mpmlab $(BUILD)/tests
 
-lint: ## conventions, warnings of gcc and clang, public names: 10 minutes
+lint: ## conventions, warnings of gcc and clang, public names (10 minutes)
 	BUILD=$(BUILD)/lint bash tests/tools/lint.sh
 
 # The same tests under the address and undefined-behaviour sanitizers, which end a program at what they find.
-san: ## fuzzing for seconds, then the tests under sanitizers: 20 minutes
+san: ## fuzzing for seconds, then the tests under sanitizers (20 minutes)
 	$(MAKE) fuzz SECONDS=2
 	$(MAKE) BUILD=$(BUILD)/san ARCH= OPT='-O1 -fno-omit-frame-pointer' \
 	  SAN='-fsanitize=address,undefined -fno-sanitize-recover=undefined' quick
 
-# What takes minutes, each ending in a line of counts.
-builds repeat memcheck coverage: ## portable builds; results twice; valgrind; lines that tests reach: up to hours
+# Long checks; each ends in a line of counts.
+builds repeat memcheck coverage: ## portable builds; results twice; valgrind; lines that tests reach (up to hours)
 	bash tests/tools/$@.sh $(BUILD)/$@
 
 # All faults, a hundred kills among them (minutes).
-faults: all ## a full and a read-only disk, a hundred kills: 7 minutes
+faults: all ## a full and a read-only disk, a hundred kills (7 minutes)
 	bash tests/cli/faults.sh $(BUILD)/mpmlab $(BUILD)/tests 100 long
 
 # Bytes that break a property of what reads input: SECONDS for each; corpora stay in build/fuzz.

@@ -19,8 +19,8 @@ const char *select_text(const Table *t, int row, const char *column);
 double select_number(const Table *t, int row, const char *name); /* NAN: empty, or a word */
 bool select_is(const Table *t, int row, const char *column, const char *text);
 
-/* The first row behind `row` that meets `where`, or -1; NULL has none. EACH_ROW(row, t, where, ...)
- * loops over all such rows. */
+/* The first row after `row` that meets `where`; -1: there is none, or t is NULL. EACH_ROW(row, t,
+ * where, ...) loops over all such rows. */
 int select_next(const Table *t, int row, const char *where, ...)
     __attribute__((format(printf, 3, 4)));
 #define EACH_ROW(row, t, ...) for (int row = -1; (row = select_next(t, row, __VA_ARGS__)) >= 0;)

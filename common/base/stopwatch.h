@@ -7,10 +7,10 @@ double stopwatch_cpu(void);  /* [s] that all threads of this process have spent 
 
 /* Sums the wall and CPU time of a part of a loop, from start to stop in each pass. Reading the CPU
  * clock is a system call, which can cost more than the part. So it is read over intervals: from a
- * start to the first stop that is a millisecond later, or to stopwatch_read. The part gets that
- * fraction of an interval's CPU time that it has of its wall time: all of it if one pass takes a
- * millisecond; else an estimate, too low if the rest of the loop waits for a disk, or if the part
- * alone uses several threads. */
+ * start to the first stop that is a millisecond later, or to stopwatch_read. The CPU time of an
+ * interval is multiplied by (wall time of the part)/(wall time of the interval). If one pass takes
+ * a millisecond, the interval is that pass and cpu is exact. Otherwise it is an estimate, too low
+ * if the rest of the loop waits for a disk, or if the part alone uses several threads. */
 typedef struct Stopwatch {
     double wall, cpu;              /* [s] so far; cpu: as of the last reading */
     double start;                  /* [s] of this pass, wall */

@@ -9,8 +9,8 @@
  * another one reads or writes, unless that is guarded. */
 typedef void TeamWork(void *own, int first, int last);
 
-/* Does n iterations: each of `threads` threads gets one contiguous part. Here and in team_take one
- * thread does all of them in one call of work. */
+/* Does n iterations: each of `threads` threads gets one contiguous part. With one thread or fewer
+ * than two iterations work is called once, for all of them; so it is in team_take. */
 void team_share(int threads, int n, TeamWork *work, void *own);
 
 /* The same, but each iteration is done by the next free thread: for iterations of unequal cost. */

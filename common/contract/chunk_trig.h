@@ -1,6 +1,6 @@
-/* chunk_trig.h: sine and cosine as plain arithmetic, within 1 ulp of the larger of result and
- * 1e-16 |x|, so that loops over points that call it are vectorized, and give the same bits whatever
- * the length of the loop.
+/* chunk_trig.h: sine and cosine as plain arithmetic. The error is at most 1 ulp of the result or
+ * 1e-16 |x|, whichever is larger. Loops over points that call it are vectorized, and give the same
+ * bits whatever the length of the loop.
  *
  * x = n pi/2 + r, |r| <= pi/4, with pi/2 in two parts, of which the first times n is exact; sin r
  * and cos r by the polynomials whose minimax coefficients are those of Sun's fdlibm (k_sin.c,

@@ -8,7 +8,7 @@
 enum { FOUR = 4 };
 typedef double Four __attribute__((vector_size(FOUR * sizeof(double)), may_alias));
 
-/* The same in a field, which is an array of doubles and may begin at any of them. */
+/* Four numbers of a Field, which is aligned as a double only. */
 typedef double FourOfField
     __attribute__((vector_size(FOUR * sizeof(double)), may_alias, aligned(sizeof(double))));
 

@@ -40,8 +40,8 @@ static Sums sums_add(Sums a, Sums b)
     return (Sums){worse(a.most, b.most), a.square + b.square, a.sum + b.sum, a.weight + b.weight};
 }
 
-/* Of errors e[] with weights w[], points without weight apart. Sums run over lanes, so that the
- * loop is vectorized. */
+/* Sums over errors e[] with weights w[]; points without weight are left out. There are LANE partial
+ * sums, so that the loop is vectorized. */
 static Sums sums_of(int n, const double e[], const double w[])
 {
     enum { LANE = 16 };
@@ -64,7 +64,7 @@ static Sums sums_of(int n, const double e[], const double w[])
     return all;
 }
 
-/* A NaN error makes every norm NaN, and so does the lack of any. */
+/* All norms are NaN if one error is NaN, or if no point has weight. */
 static Errors norms(Sums s)
 {
     if (!(s.weight > 0)) return norm_no_errors;
@@ -101,7 +101,7 @@ typedef struct Displacements {
 
 enum { BLOCK = 16 * CHUNK };
 
-/* Where the sums of a block stand: in the place of its displacements, which have been used. */
+/* Sums of block b, stored in place of its displacements, which are no longer needed. */
 static Sums *block_sums(const Scratch *s, int b)
 {
     return (void *)(s->v[0] + (size_t)b * BLOCK);

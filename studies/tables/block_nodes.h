@@ -11,11 +11,12 @@
 /* The block of a run with these settings. */
 typedef struct BlockNodes {
     int dim, cells;
-    double box;            /* [m] the block was put down in the middle of it, */
-    const double *shift;   /* [dim] and moved by so many cells; NULL: places are from that middle */
-    double stretch, angle; /* along x; then turned by so many degrees */
+    double box;            /* [m] side of the box; the block starts in its middle */
+    const double *shift;   /* [dim] [cells] displacement of the block from there; NULL: none */
+    double stretch, angle; /* stretch along x, then rotation [degrees] */
     double drift;          /* V along x, in c */
-    double inner;          /* [m] nodes so near the middle of the undeformed block count */
+    double inner;          /* [m] a node counts if its place in the undeformed block is nearer than
+                            * this to the middle along every axis */
 } BlockNodes;
 
 /* The force on the node of a row, and its place from the middle of the block. False if it does not

@@ -5,7 +5,9 @@
 
 #include "studies/study.h"
 
-/* What reaches eps beyond a node: the last particle, or what lies so far beyond it. */
+/* A method, and how far the block reaches into empty cells: the outermost point that counts for the
+ * method lies eps beyond a node. It is the last particle (beyond = 0), or the edge of its box or of
+ * its weights, `beyond` cells farther out. */
 typedef struct Corner {
     const char *method;
     double beyond; /* [cells] */
@@ -20,7 +22,7 @@ extern const double corner_rungs[CORNER_RUNGS];
 /* Adds a run with each of them. */
 void corner_add(Cases *list, const Corner *c);
 
-/* The largest of them that is stable, with all below it. */
+/* The largest of these steps for which it and all smaller ones are stable; 0: there is none. */
 Measure corner_stable(const Table *rows, const Corner *c);
 
 #endif

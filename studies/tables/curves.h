@@ -56,12 +56,12 @@ void curve_add(Curve *c, double x, Measure y);
 /* A column in the last row over that in the first; NAN with fewer than two rows. */
 double curve_growth(const Table *t, const char *column);
 
-/* Of a history: when the column first differs from its start by more than this share of that [s].
- * NAN: never. */
+/* First time [s] in a history at which the column differs from its first value by more than `share`
+ * times that value; NAN: never. */
 double curve_first_change(const Table *t, const char *column, double share);
 
-/* Of a history: the mean rate of the column from the last instant within this share of the duration
- * to the end [1/s]. */
+/* Mean rate of change [1/s] of a column of a history, between the last row with t <= from t_end and
+ * the last row, at t_end. */
 double curve_rate(const Table *t, const char *column, double from);
 
 /* How many rows of these methods that also meet `where` were lost; there are `each` of a method. */

@@ -97,7 +97,7 @@ static Cost best_cost(const Efforts *all, const Effort *e, double target)
     return best;
 }
 
-/* A cost of nothing is none. */
+/* NAN for a cost of 0, which was not measured: its cell stays empty. */
 static double some(double x)
 {
     return x > 0 ? x : NAN;

@@ -5,9 +5,9 @@
 
 #include <stdbool.h>
 
-/* Tents on any grid; GIMP, their mean over a particle's length; both with the particle's gradient
- * (W07 eq 4.1); and a weighted least-squares fit, W the quadratic spline over the mean of a node's
- * two cells. */
+/* In this order: tents; GIMP (the mean of a tent over a particle's length); each of the two with
+ * the particle's gradient (W07 eq 4.1); a weighted least-squares fit, whose weight is the quadratic
+ * spline over the mean size of a node's two cells. */
 typedef enum GradedMethod {
     GRADED_TENT,
     GRADED_GIMP,
@@ -27,8 +27,9 @@ typedef struct Graded {
     double at[2 * GRADED_MOST], half[2 * GRADED_MOST]; /* particles: middle and half length */
 } Graded;
 
-/* n cells that grow and shrink in turn by the ratio `cells` from one to the next, three times; the
- * two particles of every second cell have lengths of the ratio `sizes`. */
+/* n cells whose sizes are in the ratios 1, r, r^2, r^3, r^2, r, 1, ..., r = cells. The lengths of
+ * the two particles in the first, third, ... cell have the ratio `sizes`; elsewhere they are equal.
+ */
 void graded_make(Graded *g, int n, double cells, double sizes);
 
 /* Of particle p at node i. */

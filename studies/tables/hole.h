@@ -38,7 +38,7 @@ typedef struct Rim {
 Rim hole_read(const Table *points, int cells, const HoleReference *r, bool quads);
 void hole_free(Rim *rim);
 
-/* Room for so many points, none of them there; and puts those that were added in order. */
+/* An empty Rim with room for `most` points; and sorts the points of one by angle. */
 Rim hole_room(int most);
 void hole_sort(Rim *rim);
 

@@ -25,8 +25,8 @@ int ladder_read_all(const Table *rows, Ladder **out);
  * not. *first is the rung that is worse, or -1 if none is: then the limit is what was tried. */
 double ladder_limit(const Ladder *l, Mark worst, int *first);
 
-/* The stable rungs about the largest one that is: *low, *high are the first and the last of them.
- * False if none is stable. */
+/* The uninterrupted sequence of stable rungs that ends at the largest stable one: from *low to
+ * *high. False if no rung is stable. */
 bool ladder_window(const Ladder *l, int *low, int *high);
 
 /* Adds the run in the middle between rungs k and k + 1, unless the gap is at most so much of its

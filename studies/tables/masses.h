@@ -37,9 +37,9 @@ MassSums masses_sum(const Table *t, const double centre[2]);
  * layer; NAN: there are none. */
 double masses_hanging_stretch(const Table *t, double top);
 
-/* Root mean square over mass of the pressure less its mean over all points within `spacings` times
- * the own spacing along each axis of the plane. With a density of 1, `share` points of the own mass
- * make a square whose side is the spacing. */
+/* Mass-weighted rms of p - <p>: <p> is the mass-weighted mean pressure of all points whose X and Y
+ * differ by at most spacings s from those of the point, s = sqrt(share m) with the point's own mass
+ * m: the side of a square that `share` such points fill at density 1. */
 double masses_checkerboard(const Masses *all, int share, double spacings);
 
 #endif

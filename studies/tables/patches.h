@@ -17,7 +17,8 @@ typedef struct Patches {
 /* path NULL: none. */
 Patches patches_open(const char *path);
 
-/* Steps to the next corner, the first at first. False behind the last, where the file is closed. */
+/* Reads the next corner; the first call reads the first one. After the last corner it closes the
+ * file and returns false. */
 bool patches_next(Patches *p);
 
 #endif

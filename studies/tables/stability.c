@@ -51,7 +51,7 @@ static void write_place(FILE *f, const Table *rows, int row)
                   engine_line(map->engine, method));
 }
 
-/* Of x among n numbers, or up to a 0; -1: none of them. */
+/* Index of x in a list that ends after n numbers or at the first 0; -1: x is not in it. */
 static int index_of(int n, const double *list, double x)
 {
     for (int k = 0; k < n && list[k] > 0; k++)
