@@ -23,7 +23,7 @@ static const Case on_nodes[][2] = {
 
 /* Steps of the tests that compare thread counts (test_invariants.c) and that fill unused memory
  * with NaN (test_unread.c). */
-enum { FEW = IN_THIS_DIM(20, 20, 3) };
+enum { FEW = IN_THIS_DIM(10, 10, 3) };
 
 typedef void Check(Fixture *r);
 

@@ -114,7 +114,7 @@ static void test_pairs(void)
             const char *more = fresh ? "allow_unstable=1;refresh=1" : "allow_unstable=1";
             if (short_scenes[k].dim != DIM || (fresh && i != UVF && i != MUSL)) continue;
             CU_ASSERT_FATAL(fixture_plan(&r, &short_scenes[k], (*m)->info.name, i, more));
-            compare(&r, (*m)->modes ? 5 : 20, 0); /* light nodes amplify round-off */
+            compare(&r, (*m)->modes ? 5 : 10, 0); /* light nodes amplify round-off */
         }
 }
 
@@ -226,7 +226,7 @@ static void test_corner_on_nodes(void)
     CU_ASSERT(compared > 0);
 }
 
-/* 300 steps of what is stable, 100 where nothing but the integrator's order of passes is new:
+/* 120 steps of what is stable, 60 where nothing but the integrator's order of passes is new:
  * smooth weights and valid pairs. (A block that spins faster is lost by XPIC and FMPM with cd, by
  * those of the textbook code as well.) */
 static void test_long(void)
@@ -239,7 +239,7 @@ static void test_long(void)
             if ((*m)->modes) continue; /* light nodes amplify round-off */
             CU_ASSERT_FATAL(
                 fixture_plan(&r, &long_scenes[k], (*m)->info.name, i, fresh ? "refresh=1" : NULL));
-            compare(&r, i > UVF ? 100 : 300, i > UVF ? 3 : 10);
+            compare(&r, i > UVF ? 60 : 120, i > UVF ? 2 : 4);
         }
 }
 
@@ -284,10 +284,10 @@ static const TestCase tests[] = {
     {"20 steps in a corner of symmetry lines", test_corner},
     {"the same on the reference grid", test_corner_total},
     {"the same, particles on nodes, symmetry lines and wall", test_corner_on_nodes},
-    {"20 steps of every method and integrator", test_pairs},
+    {"10 steps of every method and integrator", test_pairs},
     {"steps of tents with particles on nodes", test_on_nodes},
     {"gradients of the reference grid", test_gradient},
-    {"300 steps of the stable smooth pairs, sorted many times", test_long},
+    {"120 steps of the stable smooth pairs, sorted many times", test_long},
     {NULL, NULL},
 };
 CHECK_SUITE(tests)

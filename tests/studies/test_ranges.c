@@ -146,7 +146,7 @@ static void try_all(Trial *t)
     trial_clear(dir);
     trial_files(&t->cases);
     for (size_t k = 0; k < sizeof rows / sizeof *rows && !all_can_fail(t); k++) {
-        trial_rows(t->study, &t->cases, dir, -1, rows[k]);
+        trial_rows(t->study, &t->cases, dir, rows[k]);
         judge(t, true);
         if (rows[k] == LOST_RUN) check_grades(t->study);
     }

@@ -139,7 +139,7 @@ static Check judge(const Trial *t, bool again)
 static void make(Trial *t)
 {
     trial_clear(dir);
-    trial_rows(t->study, &t->cases, dir, -2, SOUND);
+    trial_rows(t->study, &t->cases, dir, SOUND);
     trial_files(&t->cases);
 }
 
@@ -183,7 +183,7 @@ static void check_empty(Trial *t)
 static void check_all_lost(Trial *t)
 {
     make(t);
-    trial_rows(t->study, &t->cases, dir, -1, LOST_RUN);
+    trial_rows(t->study, &t->cases, dir, LOST_RUN);
     Check c = judge(t, true);
     for (int k = 0; k < c.n; k++) {
         const char *id = c.list[k].id;
@@ -202,11 +202,11 @@ static bool is_same(const Claim *a, const Claim *b)
            (a->measured == b->measured || (isnan(a->measured) && isnan(b->measured)));
 }
 
-static void spoil(const Trial *t, int row, Spoiled how, bool stands[])
+static void spoil(const Trial *t, const char *sound, int row, Spoiled how, bool stands[])
 {
     const char *file = t->cases.list[row].file;
     char aside[TRIAL_PATH];
-    trial_rows(t->study, &t->cases, dir, row, how);
+    trial_one_row(t->study, &t->cases, sound, dir, row, how);
     snprintf(aside, sizeof aside, "%s.aside", file ? file : "");
     if (file && how == ABSENT) rename(file, aside);
     Check c = judge(t, true);
@@ -232,17 +232,19 @@ static void spoil(const Trial *t, int row, Spoiled how, bool stands[])
 static void check_one_lost(Trial *t)
 {
     enum { TRIED = 4 };
-    const int n = t->cases.n, apart = n > TRIED ? n / TRIED : 1;
+    const int n = t->cases.n, tried = n < TRIED ? n : TRIED;
     make(t);
-    for (int row = 0; row < n; row += apart) {
+    char *sound = trial_text(&t->cases, SOUND);
+    for (int k = 0; k < tried; k++) {
         bool *stands = calloc((size_t)t->whole.n + 1, sizeof *stands);
         CU_ASSERT_PTR_NOT_NULL_FATAL(stands);
-        spoil(t, row, LARGER, stands);
-        spoil(t, row, SMALLER, stands);
-        spoil(t, row, ABSENT, stands);
-        spoil(t, row, LOST_RUN, stands);
+        spoil(t, sound, k * n / tried, LARGER, stands);
+        spoil(t, sound, k * n / tried, SMALLER, stands);
+        spoil(t, sound, k * n / tried, ABSENT, stands);
+        spoil(t, sound, k * n / tried, LOST_RUN, stands);
         free(stands);
     }
+    free(sound);
 }
 
 static void each_study(void (*act)(Trial *t), bool whole)

@@ -99,21 +99,53 @@ static Row row_of(const Case *c, int k, Spoiled how)
     return row;
 }
 
-void trial_rows(const Study *study, const Cases *cases, const char *dir, int at, Spoiled how)
+static void print_row(FILE *f, const Case *c, int k, Spoiled how)
 {
-    char path[TRIAL_PATH], text[ROW_TEXT];
+    char text[ROW_TEXT];
+    const Row row = row_of(c, k, how);
+    row_print(&row, text);
+    if (how != ABSENT) fprintf(f, "%s\n", text);
+}
+
+char *trial_text(const Cases *cases, Spoiled how)
+{
+    char header[ROW_TEXT], *text = NULL;
+    size_t size = 0;
+    FILE *f = open_memstream(&text, &size);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(f);
+    row_header(header);
+    fprintf(f, "%s\n", header);
+    for (int k = 0; k < cases->n; k++) print_row(f, &cases->list[k], k, how);
+    fclose(f);
+    return text;
+}
+
+static FILE *open_table(const Study *study, const char *dir)
+{
+    char path[TRIAL_PATH];
     snprintf(path, sizeof path, "%s/%s.csv", dir, study->name);
     FILE *f = fopen(path, "w");
     CU_ASSERT_PTR_NOT_NULL_FATAL(f);
-    row_header(text);
-    fprintf(f, "%s\n", text);
-    for (int k = 0; k < cases->n; k++) {
-        const Spoiled this = at < 0 || k == at ? how : SOUND;
-        const Row row = row_of(&cases->list[k], k, this);
-        if (this == ABSENT) continue;
-        row_print(&row, text);
-        fprintf(f, "%s\n", text);
-    }
+    return f;
+}
+
+void trial_rows(const Study *study, const Cases *cases, const char *dir, Spoiled how)
+{
+    FILE *f = open_table(study, dir);
+    char *text = trial_text(cases, how);
+    fputs(text, f);
+    fclose(f), free(text);
+}
+
+void trial_one_row(const Study *study, const Cases *cases, const char *sound, const char *dir,
+                   int row, Spoiled how)
+{
+    FILE *f = open_table(study, dir);
+    const char *from = strchr(sound, '\n') + 1;
+    for (int k = 0; k < row; k++) from = strchr(from, '\n') + 1;
+    fwrite(sound, 1, (size_t)(from - sound), f);
+    print_row(f, &cases->list[row], row, how);
+    fputs(strchr(from, '\n') + 1, f);
     fclose(f);
 }
 

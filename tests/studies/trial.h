@@ -13,8 +13,15 @@ enum { TRIAL_PATH = 512 };
  * multiplied by a factor of its own, 1e-3 to 1e3, or divided by it. */
 typedef enum { SOUND, LOST_RUN, LARGER, SMALLER, ABSENT, UNEVEN, UNEVEN_TOO } Spoiled;
 
-/* Writes dir/NAME.csv; row `at` is spoiled, all are if at is -1. */
-void trial_rows(const Study *study, const Cases *cases, const char *dir, int at, Spoiled how);
+/* The text of a table whose rows are all spoiled so; owned by the caller. */
+char *trial_text(const Cases *cases, Spoiled how);
+
+/* Writes dir/NAME.csv, every row spoiled so. */
+void trial_rows(const Study *study, const Cases *cases, const char *dir, Spoiled how);
+
+/* The same with one row spoiled and the others as in `sound`, of trial_text(cases, SOUND). */
+void trial_one_row(const Study *study, const Cases *cases, const char *sound, const char *dir,
+                   int row, Spoiled how);
 
 /* Writes the files that the runs would have left. */
 void trial_files(const Cases *cases);
