@@ -130,24 +130,25 @@ endef
 $(foreach d,$(CORE_DIMS),$(eval $(call dimension_tests,core_$(d)d,$(d))))
 $(foreach p,fem wls scenes,$(eval $(call dimension_tests,$(p),2)))
 
-# Each test prints as a whole when it has ended, $(JOBS) at once; those of CUnit come last.
-AT_ONCE     = @$(MAKE) --no-print-directory --output-sync=target -j$(JOBS)
+# Each test prints as a whole when it has ended, $(JOBS) at once, and one more of those that are scripts, of which one
+# waits for daemons; those of CUnit come last.
+AT_ONCE     = @$(MAKE) --no-print-directory --output-sync=target -j
 QUICK_TESTS = cli sweep wrong_inputs
-SHELL_TESTS = example $(QUICK_TESTS) faults resume install cluster page
+SHELL_TESTS = example cluster faults $(QUICK_TESTS) resume install page
 RUN_SHELL   = $(SHELL_TESTS:%=run-%)
 RUN_UNIT    = $(UNIT_TESTS:$(BUILD)/tests/%=run-%)
 
 test: ## every test (4 minutes on 2 cores)
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
-	$(AT_ONCE) $(RUN_SHELL)
+	$(AT_ONCE)$(shell expr $(JOBS) + 1) $(RUN_SHELL)
 	bash tests/tools/reach_table.sh --check README.md $(BUILD)/out
-	$(AT_ONCE) $(RUN_UNIT)
+	$(AT_ONCE)$(JOBS) $(RUN_UNIT)
 
 # The program's own tests, for sanitizers. Of the program `claims`, which judges every page many times, only one test.
 quick: ## the tests of the program itself, without installation and examples
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
-	$(AT_ONCE) $(QUICK_TESTS:%=run-%)
-	$(AT_ONCE) ONLY_claims='claims on whole' $(RUN_UNIT)
+	$(AT_ONCE)$(JOBS) $(QUICK_TESTS:%=run-%)
+	$(AT_ONCE)$(JOBS) ONLY_claims='claims on whole' $(RUN_UNIT)
 
 .PHONY: $(RUN_SHELL) $(RUN_UNIT)
 $(RUN_SHELL): run-%:
