@@ -170,7 +170,7 @@ $(BUILD)/tests/palette: $(BUILD)/d2/tests/tools/palette.o $(TEST_OBJECTS)
 	$(LINK)
 
 # Seeded faults in all parts of the program, a line each in tests/tools/mutants.list: the tests must see each.
-mutants: ## seeded faults, each of which a test must see (half an hour)
+mutants: ## seeded faults, each of which a test must see (15 minutes)
 	JOBS=$(JOBS) bash tests/tools/mutants.sh $(BUILD)/mutants
 
 # Does a second run of the speed-against-error study rank the methods as the first did?

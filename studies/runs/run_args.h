@@ -21,7 +21,4 @@ int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault);
  * whose names would not outlive the text. */
 int run_args_resolve(const char *text, RunSpec *spec, const Engine **engine, Fault *fault);
 
-/* Is this a run that the program takes ("run block --set domain=stretch")? */
-bool run_args_is_run(const char *format, ...) __attribute__((format(printf, 1, 2)));
-
 #endif

@@ -3,7 +3,6 @@
 #include <string.h>
 #include "engines.h"
 #include "run_args.h"
-#include "studies/phrase.h"
 
 static bool names_files(const RunSpec *s)
 {
@@ -30,13 +29,4 @@ int run_args_resolve(const char *text, RunSpec *spec, const Engine **engine, Fau
     *spec = args.spec;
     *engine = engine_for(spec, fault);
     return *engine ? (*engine)->resolve(spec, fault) : FAULT_USAGE;
-}
-
-bool run_args_is_run(const char *format, ...)
-{
-    char text[SPEC_TEXT];
-    const Engine *engine;
-    RunSpec spec;
-    PHRASE_INTO(text, format);
-    return run_args_resolve(text, &spec, &engine, NULL) == 0;
 }

@@ -51,13 +51,6 @@ static int find(const Table *rows, const char *text)
     return -1;
 }
 
-int run_row_find(const Table *rows, const char *format, ...)
-{
-    char text[SPEC_TEXT];
-    PHRASE_INTO(text, format);
-    return find(rows, text);
-}
-
 Measure run_row_value(const Table *rows, const char *column, const char *format, ...)
 {
     char text[SPEC_TEXT];

@@ -10,10 +10,8 @@
  * number and integrator are not compared. */
 bool run_row_is(const Table *rows, int row, const RunSpec *spec, const Engine *engine);
 
-/* The first row of the run that is given as the command line would ("run bar --ppc 2"), or -1. */
-int run_row_find(const Table *rows, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-/* A number of that row; none if there is no such row, or the run was lost. */
+/* A number of the first row of the run that is given as the command line would ("run bar --ppc 2");
+ * none if there is no such row, or the run was lost. */
 Measure run_row_value(const Table *rows, const char *column, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -23,7 +23,7 @@ table=$(
         if (!(key in seen)) { seen[key] = 1; order[++n] = key }
         ms = 1000 * $at["seconds"]
         if ($at["how"] == "reached" && $at["method"] == "fem") fem[key] = ms
-        else if ($at["how"] == "reached" && $at["method"] == "ge_wls") ge[key] = ms
+        else if ($at["method"] == "ge_wls") { ge[key] = ms; most[key] = $at["how"] == "below" ? "< " : "" }
         if ($at["how"] != "reached" || $at["method"] == "fem" || (key in best && ms >= best[key])) next
         best[key] = ms
         name[key] = sprintf("`%s` (%s, %s, PPC %.3g)", $at["method"], $at["integrator"], $at["layout"], $at["ppc"])
@@ -33,7 +33,7 @@ table=$(
             key = order[k]
             if (!(key in best)) continue
             ratio = key in fem ? ratio_of(best[key] / fem[key]) : "-"
-            other = key in fem && key in ge ? ratio_of(ge[key] / fem[key]) : "-"
+            other = key in fem && key in ge ? most[key] ratio_of(ge[key] / fem[key]) : "-"
             printf "| %s | %s | %s | %s | %s | %s |\n", key, show(fem[key]), name[key], show(best[key]), ratio, other
         }
     }' "$file"
@@ -52,8 +52,9 @@ paste -d'#' <(echo "$table") <(echo "$rows") | awk -F'#' -v slack="$SLACK" -v re
         method = said[5]; gsub(/`| .*/, "", method)
         ms = cost[now[2] " " now[3] " " method]
         if (!(ms > 0 && ms <= slack * now[6])) { printf "%s: %s to %s: %s is not the cheapest of %s (%s)\n", readme, now[2], now[3], method, file, now[5]; bad = 1 }
+        sub(/^< /, "", now[8]); sub(/^< /, "", said[8]) # one run reaches with 4 particles a cell, the next with 9
         for (k = 7; k <= 8; k++)
-            if ((now[k] == "-") != (said[k] == "-") || now[k] > slack * said[k] || said[k] > slack * now[k]) {
+            if ((now[k] == "-") != (said[k] == "-") || now[k] + 0 > slack * said[k] || said[k] + 0 > slack * now[k]) {
                 printf "%s: %s to %s: ratio %s, in %s %s\n", readme, now[2], now[3], said[k], file, now[k]; bad = 1 }
     }
     END { exit bad }' "$file" -

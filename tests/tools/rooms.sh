@@ -63,5 +63,15 @@ check_names() { # OBJECTS
             END { exit wrong }' || wrong=1
     done < <(find "$1" -name '*.o' ! -path '*/d[123]/engine.o' ! -path '*/tests/*' ! -path '*/d3/*' | sort)
 }
-[ $# -eq 0 ] || check_names "$1"
+# Public functions are called by the program, in another file or their own; tests alone call ..._is_valid.
+check_calls() { # OBJECTS
+    local name
+    while read -r name; do
+        [ "$(grep -rwh "$name" common methods problems fem_ref studies --include='*.c' | wc -l)" -gt 1 ] && continue
+        echo "rooms: the program does not call $name" && wrong=1
+    done < <(find "$1" -name '*.o' ! -path '*/d[123]/engine.o' ! -path '*/tests/*' -exec nm {} + | awk '
+        $2 == "T" { made[$3] } $1 == "U" { used[$2] }
+        END { for (name in made) if (!(name in used) && name !~ /_is_valid$/) print name }')
+}
+[ $# -eq 0 ] || { check_names "$1" && check_calls "$1"; }
 exit $wrong
