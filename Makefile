@@ -118,7 +118,7 @@ $(BUILD)/d2/tests/core/test_peers.o: CFLAGS += -DPEERS='"$(CURDIR)/tests/data/pe
 $(DIMS:%=$(BUILD)/d%/tests/problems/test_scan.o): CFLAGS += -DSCANS='"$(CURDIR)/tests/data/scans"'
 $(BUILD)/tests/tools: $(patsubst %,$(BUILD)/tests/%.o,$(call tests_of,tools) check) $(FUZZ_OBJECTS) $(TEST_OBJECTS)
 	$(LINK) -lcunit
-$(BUILD)/tests/claims: $(patsubst %,$(BUILD)/tests/%.o,$(call tests_of,claims) studies/trial check) $(TEST_OBJECTS)
+$(BUILD)/tests/claims: $(patsubst %,$(BUILD)/tests/%.o,$(call tests_of,claims) studies/trial studies/trial_files check) $(TEST_OBJECTS)
 	$(LINK) -lcunit
 
 # Tests of one dimension see its objects before their names are hidden.
