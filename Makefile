@@ -94,7 +94,7 @@ $(foreach d,1 2 3,$(eval $(call dimension,$(d))))
 # make figures QUICK=--quick: all figures from short runs, in minutes, without verdicts
 QUICK =
 
-figures: ## all studies, claims and build/out/index.html (12 minutes on 2 cores; with QUICK=--quick 2)
+figures: ## all studies, claims and build/out/index.html (11 minutes on 2 cores; with QUICK=--quick 2)
 	@$(MAKE) --no-print-directory -j$(JOBS) all
 	$(BUILD)/mpmlab study all $(QUICK) --jobs $(JOBS)
 	$(if $(QUICK),,$(BUILD)/mpmlab claims && bash tests/tools/reach_table.sh $(BUILD)/out >$(BUILD)/out/reach.md)
@@ -138,7 +138,7 @@ SHELL_TESTS = example cluster faults $(QUICK_TESTS) resume install page
 RUN_SHELL   = $(SHELL_TESTS:%=run-%)
 RUN_UNIT    = $(UNIT_TESTS:$(BUILD)/tests/%=run-%)
 
-test: ## every test (4 minutes on 2 cores)
+test: ## every test (3 minutes on 2 cores)
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
 	$(AT_ONCE)$(shell expr $(JOBS) + 1) $(RUN_SHELL)
 	bash tests/tools/reach_table.sh --check README.md $(BUILD)/out
