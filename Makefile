@@ -130,8 +130,8 @@ endef
 $(foreach d,$(CORE_DIMS),$(eval $(call dimension_tests,core_$(d)d,$(d))))
 $(foreach p,fem wls scenes,$(eval $(call dimension_tests,$(p),2)))
 
-# Each test prints as a whole when it has ended, $(JOBS) at once, and one more of those that are scripts, of which one
-# waits for daemons; those of CUnit come last.
+# The output of a test is printed when it ends. Scripts run $(JOBS) + 1 at once, since cluster.sh mostly waits for daemons;
+# then the CUnit programs, $(JOBS) at once.
 AT_ONCE     = @$(MAKE) --no-print-directory --output-sync=target -j
 QUICK_TESTS = cli sweep wrong_inputs
 SHELL_TESTS = example cluster faults $(QUICK_TESTS) resume install page

@@ -287,7 +287,7 @@ static const TestCase tests[] = {
     {"10 steps of every method and integrator", test_pairs},
     {"steps of tents with particles on nodes", test_on_nodes},
     {"gradients of the reference grid", test_gradient},
-    {"120 steps of the stable smooth pairs, sorted many times", test_long},
+    {"120 steps of the stable smooth pairs, sorted several times", test_long},
     {NULL, NULL},
 };
 CHECK_SUITE(tests)

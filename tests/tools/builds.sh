@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # builds.sh FOLDER: the same claims with the same verdicts by every build: native, portable, clang, and neither
-# vectors nor threads. Prints a table; status 1 if a build, a study or a claim fails, or a verdict differs. Many minutes.
+# vectors nor threads. Prints a table; status 1 if a build, a study or a claim fails, or a verdict differs. An hour;
+# interrupted, it goes on where it was (and its seconds are those of the last time).
 set -u
 mkdir -p "$1"
 folder=$(realpath "$1")

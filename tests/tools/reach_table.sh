@@ -52,7 +52,7 @@ paste -d'#' <(echo "$table") <(echo "$rows") | awk -F'#' -v slack="$SLACK" -v re
         method = said[5]; gsub(/`| .*/, "", method)
         ms = cost[now[2] " " now[3] " " method]
         if (!(ms > 0 && ms <= slack * now[6])) { printf "%s: %s to %s: %s is not the cheapest of %s (%s)\n", readme, now[2], now[3], method, file, now[5]; bad = 1 }
-        sub(/^< /, "", now[8]); sub(/^< /, "", said[8]) # one run reaches with 4 particles a cell, the next with 9
+        sub(/^< /, "", now[8]); sub(/^< /, "", said[8]) # which PPC is the cheapest, and so "<", changes between runs
         for (k = 7; k <= 8; k++)
             if ((now[k] == "-") != (said[k] == "-") || now[k] + 0 > slack * said[k] || said[k] + 0 > slack * now[k]) {
                 printf "%s: %s to %s: ratio %s, in %s %s\n", readme, now[2], now[3], said[k], file, now[k]; bad = 1 }
