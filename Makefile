@@ -132,7 +132,7 @@ $(foreach p,fem wls scenes,$(eval $(call dimension_tests,$(p),2)))
 
 # The output of a test is printed when it ends. Scripts run $(JOBS) + 1 at once, since cluster.sh mostly waits for daemons;
 # then the CUnit programs, $(JOBS) at once.
-AT_ONCE     = @$(MAKE) --no-print-directory --output-sync=target -j
+AT_ONCE     = @$(MAKE) --no-print-directory --output-sync=target -j$(JOBS)
 QUICK_TESTS = cli sweep wrong_inputs
 SHELL_TESTS = example cluster faults $(QUICK_TESTS) resume install page
 RUN_SHELL   = $(SHELL_TESTS:%=run-%)
@@ -140,15 +140,15 @@ RUN_UNIT    = $(UNIT_TESTS:$(BUILD)/tests/%=run-%)
 
 test: ## every test (3 minutes on 2 cores)
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
-	$(AT_ONCE)$(shell expr $(JOBS) + 1) $(RUN_SHELL)
+	$(AT_ONCE) -j$(shell expr $(JOBS) + 1) $(RUN_SHELL)
 	bash tests/tools/reach_table.sh --check README.md $(BUILD)/out
-	$(AT_ONCE)$(JOBS) $(RUN_UNIT)
+	$(AT_ONCE) $(RUN_UNIT)
 
 # The program's own tests, for sanitizers. Of the program `claims`, which judges every page many times, only one test.
 quick: ## the tests of the program itself, without installation and examples
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
-	$(AT_ONCE)$(JOBS) $(QUICK_TESTS:%=run-%)
-	$(AT_ONCE)$(JOBS) ONLY_claims='claims on whole' $(RUN_UNIT)
+	$(AT_ONCE) $(QUICK_TESTS:%=run-%)
+	$(AT_ONCE) ONLY_claims='claims on whole' $(RUN_UNIT)
 
 .PHONY: $(RUN_SHELL) $(RUN_UNIT)
 $(RUN_SHELL): run-%:
@@ -170,7 +170,7 @@ $(BUILD)/tests/palette: $(BUILD)/d2/tests/tools/palette.o $(TEST_OBJECTS)
 	$(LINK)
 
 # Seeded faults in all parts of the program, a line each in tests/tools/mutants.list: the tests must see each.
-mutants: ## seeded faults, each of which a test must see (15 minutes)
+mutants: ## seeded faults, each of which a test must see (12 minutes)
 	JOBS=$(JOBS) bash tests/tools/mutants.sh $(BUILD)/mutants
 
 # Does a second run of the speed-against-error study rank the methods as the first did?

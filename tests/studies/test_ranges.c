@@ -14,6 +14,7 @@
 #include "studies/select.h"
 #include "tests/check.h"
 #include "trial.h"
+#include "trial_case.h"
 
 static const char dir[] = "scratch/ranges";
 
@@ -41,7 +42,7 @@ typedef struct Change {
 /* 10^-scatter to 10^scatter, the same for the same k. */
 static double scattered(double scatter, int k)
 {
-    return pow(10, scatter * (2 * fmod(k * 0.6180339887, 1) - 1));
+    return pow(10, scatter * (2 * spread(k) - 1));
 }
 
 static bool is_key(const Table *t, const char *name)

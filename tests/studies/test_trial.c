@@ -236,12 +236,13 @@ static void check_one_lost(Trial *t)
     make(t);
     char *sound = trial_text(&t->cases, SOUND);
     for (int k = 0; k < tried; k++) {
+        const int row = k * n / tried;
         bool *stands = calloc((size_t)t->whole.n + 1, sizeof *stands);
         CU_ASSERT_PTR_NOT_NULL_FATAL(stands);
-        spoil(t, sound, k * n / tried, LARGER, stands);
-        spoil(t, sound, k * n / tried, SMALLER, stands);
-        spoil(t, sound, k * n / tried, ABSENT, stands);
-        spoil(t, sound, k * n / tried, LOST_RUN, stands);
+        spoil(t, sound, row, LARGER, stands);
+        spoil(t, sound, row, SMALLER, stands);
+        spoil(t, sound, row, ABSENT, stands);
+        spoil(t, sound, row, LOST_RUN, stands);
         free(stands);
     }
     free(sound);

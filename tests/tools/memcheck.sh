@@ -25,11 +25,13 @@ unit() { # PROGRAM SUITE: in a process and a folder of its own
     (cd "$folder/tests/run/$1.$2" && ONLY="$2: " check "$1.$2" "$folder/tests/$1" >>log)
 }
 run() { # PROBLEM METHOD: in a process of its own, to its very end
-    local table=--history
-    case $1 in squeeze | patch) table=--nodes ;; esac # they have no time steps
-    check "$1.$2" "$folder/mpmlab" run "$1" --method "$2" --cells 8 --set steps=3 --set allow_unstable=1 \
-        $table "$folder/$1.$2.t.csv" --particles "$folder/$1.$2.p.csv" >/dev/null 2>&1
-    local status=$?
+    local status table
+    for table in --history --nodes; do # a scene without time steps refuses a history
+        check "$1.$2" "$folder/mpmlab" run "$1" --method "$2" --cells 8 --set steps=3 --set allow_unstable=1 \
+            $table "$folder/$1.$2.t.csv" --particles "$folder/$1.$2.p.csv" >/dev/null 2>&1
+        status=$?
+        [ $status -eq 2 ] || break
+    done
     [ $status -ne 2 ] || echo "$1 $2" >>"$folder/refused"
     [ $status -ne 9 ]
 }
