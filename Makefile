@@ -100,8 +100,7 @@ figures: ## all studies, claims and build/out/index.html (11 minutes on 2 cores;
 	$(if $(QUICK),,$(BUILD)/mpmlab claims && bash tests/tools/reach_table.sh $(BUILD)/out >$(BUILD)/out/reach.md)
 
 # The tests write below build/ only; CUnit's summary comes last.
-UNIT_TESTS  = $(BUILD)/tests/claims $(BUILD)/tests/tools $(CORE_DIMS:%=$(BUILD)/tests/core_%d) $(BUILD)/tests/fem \
-              $(BUILD)/tests/wls $(BUILD)/tests/scenes
+UNIT_TESTS  = $(patsubst %,$(BUILD)/tests/%,claims core_3d core_2d tools core_1d scenes wls fem) # longest first
 FUZZ_OBJECTS = $(patsubst %,$(BUILD)/tests/fuzz/%.o,fuzz_run fuzz_sweep fuzz_files fuzz_tools)
 CORE_DIMS   = 1 2 3
 TEXTBOOK    = $(patsubst %,textbook/%,textbook textbook_cells textbook_filter textbook_make)

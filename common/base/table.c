@@ -121,8 +121,8 @@ void table_free(Table *t)
 
 int table_column(const Table *t, const char *name)
 {
-    for (int k = 0; k < t->ncol; k++)
-        if (strcmp(t->name[k], name) == 0) return k;
+    for (int k = 0; k < t->ncol; k++) /* most names differ in their first letter */
+        if (t->name[k][0] == name[0] && strcmp(t->name[k], name) == 0) return k;
     return -1;
 }
 

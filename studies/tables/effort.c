@@ -79,10 +79,10 @@ static double price(const Effort *e, Price by)
 static bool is_beaten(const Efforts *all, const Effort *e, Price by, bool by_method)
 {
     for (const Effort *o = all->list; o < all->list + all->n; o++) {
-        if (o == e || !o->usable || strcmp(o->problem, e->problem) != 0) continue;
-        if (by_method && strcmp(o->method, e->method) != 0) continue;
+        if (!o->usable || !(price(o, by) <= price(e, by) && o->error <= e->error)) continue;
         const bool same = price(o, by) >= price(e, by) && o->error >= e->error;
-        if (price(o, by) <= price(e, by) && o->error <= e->error && (!same || o > e)) return true;
+        if ((same && o <= e) || strcmp(o->problem, e->problem) != 0) continue;
+        if (!by_method || strcmp(o->method, e->method) == 0) return true;
     }
     return false;
 }

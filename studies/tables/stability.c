@@ -41,13 +41,13 @@ const Map *stability_of_row(const Table *rows, int row)
     return map;
 }
 
-static void write_place(FILE *f, const Table *rows, int row)
+static const char *place_of(const Table *rows, int row)
 {
     const Map *map = stability_of_row(rows, row);
     const char *method = select_text(rows, row, "method");
-    const Pair pair = pairs[pair_of_row(rows, row)];
-    results_print(f, "%d,%s,%s,%d,%d,%d,%d,", map->engine->dim, method, pair.integrator,
-                  pair.refresh, stability_is_usual(map, method, pair), pair_of_row(rows, row),
+    const int k = pair_of_row(rows, row);
+    return phrase("%d,%s,%s,%d,%d,%d,%d", map->engine->dim, method, pairs[k].integrator,
+                  pairs[k].refresh, stability_is_usual(map, method, pairs[k]), k,
                   engine_line(map->engine, method));
 }
 
@@ -72,24 +72,23 @@ static void write_map(FILE *f, const Table *rows, const Ladder *l)
     const Map *map = stability_of_row(rows, l->row[0]);
     const double A = select_number(rows, l->row[0], "A"),
                  ppc = select_number(rows, l->row[0], "ppc_asked");
+    const char *place = place_of(rows, l->row[0]);
     int height = 1;
     while (map->ppc[height - 1] > 0) height++;
     for (int k = 0; k < l->n; k++)
         for (int p = 0; map->ppc[p] > 0 && column_of(l->cfl[k]) >= 0; p++) {
             if (isfinite(ppc) && p != index_of(MAP_MOST, map->ppc, ppc)) continue;
-            write_place(f, rows, l->row[k]);
-            results_print(f, "%.10g,%g,%g,%d,%d,%d,%s\n", ppc, A, l->cfl[k], column_of(l->cfl[k]),
-                          index_of(MAP_MOST, map->A, A) * height + p, l->grade[k],
-                          select_text(rows, l->row[k], "status"));
+            results_print(f, "%s,%.10g,%g,%g,%d,%d,%d,%s\n", place, ppc, A, l->cfl[k],
+                          column_of(l->cfl[k]), index_of(MAP_MOST, map->A, A) * height + p,
+                          l->grade[k], select_text(rows, l->row[k], "status"));
         }
 }
 
 /* Writes one line per ladder: both limits, and what ends them. */
 static void write_limits(FILE *f, const Table *rows, const Ladder *l)
 {
-    write_place(f, rows, l->row[0]);
-    results_print(f, "%s,%g", select_text(rows, l->row[0], "ppc_asked"),
-                  select_number(rows, l->row[0], "A"));
+    results_print(f, "%s,%s,%g", place_of(rows, l->row[0]),
+                  select_text(rows, l->row[0], "ppc_asked"), select_number(rows, l->row[0], "A"));
     for (Mark worst = MARK_OK; worst < MARK_LOST; worst++) {
         int first;
         results_print(f, ",%.6g,", ladder_limit(l, worst, &first));

@@ -6,7 +6,7 @@ set -u
 # shellcheck source=tests/cli/checks.sh
 source "$(dirname "$0")/checks.sh"
 program=$(realpath "$1")
-kills=${3:-12}
+kills=${3:-8}
 long=${4:-}
 mkdir -p "$2"
 work=$(mktemp -d "$(realpath "$2")/faults.XXXXXX")
