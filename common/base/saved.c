@@ -13,6 +13,27 @@
 static const char magic[] = "mpmlab checkpoint 1\n";
 enum { SUM = 9, HEAD = SPEC_TEXT + 64 }; /* SUM: eight digits and a newline */
 
+static void path_before(const char *path, char out[PATH_MAX])
+{
+    char target[PATH_MAX];
+    file_target(path, target);
+    snprintf(out, PATH_MAX, "%.4000s.1", target);
+}
+
+int saved_check_before(const char *path, Fault *fault)
+{
+    char before[PATH_MAX], text[sizeof magic] = "";
+    path_before(path, before);
+    if (file_check(before, fault)) return FAULT_MACHINE;
+    FILE *f = fopen(before, "r");
+    const size_t n = f ? fread(text, 1, sizeof magic - 1, f) : 0;
+    if (f) fclose(f);
+    if (memcmp(text, magic, n) == 0) return 0; /* a torn one may be short, even empty */
+    return fault_set(fault, FAULT_USAGE,
+                     "--checkpoint: got '%s', takes a path where FILE.1 is free or a checkpoint",
+                     path);
+}
+
 int saved_check_path(const char *option, const char *path, Fault *fault)
 {
     struct stat s;
@@ -53,11 +74,12 @@ FILE *saved_begin(const char *path, const SavedKey *key, Fault *fault)
  * new one, never none. */
 static bool keep_before(const char *path)
 {
-    char before[PATH_MAX], part[PATH_MAX];
-    snprintf(before, sizeof before, "%.4000s.1", path);
-    snprintf(part, sizeof part, "%.4000s.1.%ld.tmp", path, (long)getpid());
+    char target[PATH_MAX], before[PATH_MAX], part[PATH_MAX];
+    file_target(path, target);
+    path_before(path, before);
+    snprintf(part, sizeof part, "%.4000s.%ld.tmp", before, (long)getpid());
     unlink(part);
-    if (link(path, part) != 0) return errno == ENOENT;
+    if (link(target, part) != 0) return errno == ENOENT;
     const bool kept = rename(part, before) == 0;
     const int error = errno;
     unlink(part); /* rename() does nothing where both names are one file already */
@@ -134,7 +156,7 @@ FILE *saved_open(const char *path, const SavedKey *key, char chosen[PATH_MAX], F
     static const char *const words[] = {"whole", "no whole checkpoint", "missing", "foreign"};
     char before[PATH_MAX], head[HEAD];
     FILE *f;
-    snprintf(before, sizeof before, "%.4000s.1", path);
+    path_before(path, before);
     const Found found = look(path, key, &f, head);
     if (chosen) snprintf(chosen, PATH_MAX, "%.4000s", found == WHOLE ? path : before);
     if (found == WHOLE) return f;

@@ -17,6 +17,9 @@ typedef struct SavedKey {
  * nothing else can be read back. 0 or a fault. */
 int saved_check_path(const char *option, const char *path, Fault *fault);
 
+/* Checks that path.1, where the previous state will be, is free or a state. 0 or a fault. */
+int saved_check_before(const char *path, Fault *fault);
+
 /* Opens a new state for writing; NULL and a fault. */
 FILE *saved_begin(const char *path, const SavedKey *key, Fault *fault);
 

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "info.h"
+#include "saved.h"
 #include "table.h"
 
 static Setting *setting_find(RunSpec *spec, const char *name)
@@ -102,5 +103,5 @@ int spec_files_check(const RunSpec *s, Fault *fault)
                                  s->errors,  s->patches,   s->checkpoint};
     for (size_t k = 0; k < sizeof files / sizeof *files; k++)
         if (files[k] && file_check(files[k], fault)) return FAULT_MACHINE;
-    return 0;
+    return s->checkpoint ? saved_check_before(s->checkpoint, fault) : 0;
 }

@@ -56,7 +56,7 @@ const char *spec_get(const RunSpec *spec, const char *name);
 void spec_command(const RunSpec *spec, char out[SPEC_TEXT]);
 
 /* Can each output file of the run be written, for all that can be told without doing it? 0, or a
- * fault with code 1 that names the first one that cannot. */
+ * fault that names the first one that cannot. */
 int spec_files_check(const RunSpec *spec, Fault *fault);
 
 #endif

@@ -95,15 +95,14 @@ Table *table_read(const char *path, Fault *fault)
         fault_set(fault, FAULT_MACHINE, "%s: %s", path, strerror(error));
         return NULL;
     }
+    errno = 0;
     Table *t = calloc(1, sizeof *t);
-    if (!t) {
-        free(text);
-        return NULL;
-    }
-    t->text = text;
-    const int n = split(text, &entries);
+    if (t) t->text = text;
+    const int n = t ? split(text, &entries) : -1;
     if (n < 0 || fill(t, entries, n) != 0) {
-        fault_set(fault, FAULT_MACHINE, "%s: not a CSV table with equally long lines", path);
+        fault_set(fault, FAULT_MACHINE, "%s: %s", path,
+                  errno ? strerror(errno) : "not a CSV table with equally long lines");
+        if (!t) free(text);
         table_free(t);
         t = NULL;
     }

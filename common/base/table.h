@@ -2,6 +2,7 @@
 #ifndef MPMLAB_TABLE_H
 #define MPMLAB_TABLE_H
 
+#include <limits.h>
 #include <stdio.h>
 #include "fault.h"
 
@@ -38,8 +39,13 @@ int file_check(const char *path, Fault *fault);
 /* Makes a folder and those above it. 0 or a fault. */
 int file_make_folder(const char *path, Fault *fault);
 
+/* The file that a symbolic link stands for, which need not exist yet; else path itself. */
+void file_target(const char *path, char out[PATH_MAX]);
+
 /* Opens a temporary file beside path; file_commit flushes, checks and renames it into place, so
- * that path is either the whole new file or what it was. Both report faults with code 1. */
+ * that path is either the whole new file or what it was. A link stays a link: its target is
+ * replaced. What is open already (/dev/stdout) goes on where it is. Both report faults with code 1.
+ */
 FILE *file_begin(const char *path, Fault *fault);
 int file_commit(FILE *f, const char *path, Fault *fault);
 void file_abandon(FILE *f, const char *path);

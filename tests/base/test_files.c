@@ -73,6 +73,14 @@ static void test_csv_damaged(void)
     CU_ASSERT_PTR_NULL(table_read(path, &f));
 }
 
+static void put_whole(const char *path, const char *text)
+{
+    FILE *out = file_begin(path, NULL);
+    CU_ASSERT_PTR_NOT_NULL_FATAL(out);
+    fputs(text, out);
+    CU_ASSERT(file_commit(out, path, NULL) == 0);
+}
+
 static void test_file_commit(void)
 {
     char path[128];
@@ -87,13 +95,9 @@ static void test_file_commit(void)
     fflush(out);
     CU_ASSERT(stat(path, &after) == 0 && after.st_size == 3 && after.st_ino == before.st_ino);
     file_abandon(out, path);
-    out = file_begin(path, &f);
-    fputs("old", out);
-    CU_ASSERT(file_commit(out, path, &f) == 0);
+    put_whole(path, "old");
     CU_ASSERT(stat(path, &after) == 0 && after.st_ino == before.st_ino); /* same bytes: kept */
-    out = file_begin(path, &f);
-    fputs("newer", out);
-    CU_ASSERT(file_commit(out, path, &f) == 0);
+    put_whole(path, "newer");
     CU_ASSERT(stat(path, &after) == 0 && after.st_size == 5);
     unlink(path);
     CU_ASSERT(file_check(path, &f) == 0 && file_check("no-such-file-yet", &f) == 0);
@@ -131,6 +135,26 @@ static void test_file_special(void)
     CHECK_TEXT(text, "whole");
     close(reader);
     unlink(path);
+}
+
+/* A link stays one, whether its target exists or not; a file keeps its mode. */
+static void test_file_links(void)
+{
+    static const char *const links[] = {"scratch/first", "scratch/second"};
+    static const char real[] = "scratch/real", *const texts[] = {"new", "another"};
+    struct stat s;
+    unlink(real), unlink(links[0]), unlink(links[1]);
+    CU_ASSERT_FATAL(symlink("second", links[0]) == 0 && symlink("real", links[1]) == 0);
+    for (int k = 0; k < 4; k++) {
+        CU_ASSERT(file_check(links[k / 2], NULL) == 0);
+        put_whole(links[k / 2], texts[k % 2]);
+        CU_ASSERT(lstat(links[k / 2], &s) == 0 && S_ISLNK(s.st_mode));
+        CU_ASSERT(lstat(real, &s) == 0 && S_ISREG(s.st_mode));
+        CU_ASSERT((size_t)s.st_size == strlen(texts[k % 2]));
+        if (k == 2) CU_ASSERT_FATAL(chmod(real, 0600) == 0);
+    }
+    CU_ASSERT((s.st_mode & 0777) == 0600);
+    unlink(real), unlink(links[0]), unlink(links[1]);
 }
 
 static void test_order_fit(void)
@@ -264,6 +288,7 @@ static const TestCase tests[] = {
     {"CSV damaged", test_csv_damaged},
     {"files appear whole", test_file_commit},
     {"devices and pipes are written directly", test_file_special},
+    {"files behind links", test_file_links},
     {"order fit", test_order_fit},
     {"journal", test_journal},
     {"journal with a torn tail", test_journal_torn_tail},
