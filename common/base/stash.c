@@ -17,3 +17,10 @@ bool stash_same(Stash *s, long number)
     s->bad = s->bad || other != number;
     return !s->bad;
 }
+
+bool stash_same_option(Stash *s, long number, const char *why)
+{
+    if (s->bad || stash_same(s, number)) return !s->bad;
+    s->why = why;
+    return false;
+}

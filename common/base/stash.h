@@ -9,8 +9,9 @@
 
 typedef struct Stash {
     FILE *f;
-    bool load; /* bytes come in, else they go out */
-    bool bad;  /* a read or write failed: what was read since is not to be used */
+    bool load;       /* bytes come in, else they go out */
+    bool bad;        /* a read or write failed: what was read since is not to be used */
+    const char *why; /* of what run the state is, if that is why it is bad; or NULL */
 } Stash;
 
 /* Writes n bytes at `at`, or reads them there. */
@@ -18,6 +19,9 @@ void stash_bytes(Stash *s, void *at, size_t n);
 
 /* Writes a number, or reads one and compares: an array's length. False if they differ. */
 bool stash_same(Stash *s, long number);
+
+/* The same for what the option decides that `why` names. */
+bool stash_same_option(Stash *s, long number, const char *why);
 
 #define STASH(s, object) stash_bytes((s), &(object), sizeof(object))
 

@@ -52,6 +52,17 @@ static void stash_loads(Loop *l, Stash *s)
         stash_bytes(s, l->loads, sizeof *l->loads * (size_t)n);
 }
 
+/* A history goes on with the columns that it has. */
+static void stash_probes(const Loop *l, Stash *s)
+{
+    Probes p = l->probes;
+    STASH(s, p.n);
+    STASH(s, p.id);
+    if (!s->load || !l->history || s->bad) return;
+    s->bad = p.n != l->probes.n || memcmp(p.id, l->probes.id, sizeof p.id) != 0;
+    if (s->bad) s->why = "other points of --probe";
+}
+
 /* The history so far is part of the state, since its file appears at the end only. */
 static void stash_history(Loop *l, Stash *s)
 {
@@ -59,8 +70,9 @@ static void stash_history(Loop *l, Stash *s)
     if (!s->load && l->history && (fflush(l->history) != 0 || (n = ftell(l->history)) < 0))
         s->bad = true;
     STASH(s, n);
-    char *text = s->bad || n < 0 ? NULL : malloc((size_t)n + 1);
-    s->bad = s->bad || !text || (s->load && l->history && n == 0);
+    if (!s->bad && s->load && l->history && n == 0) s->why = "no --history";
+    char *text = s->bad || s->why || n < 0 ? NULL : malloc((size_t)n + 1);
+    s->bad = s->bad || !text;
     if (!s->bad && !s->load && n > 0) {
         rewind(l->history);
         s->bad = fread(text, 1, (size_t)n, l->history) != (size_t)n;
@@ -94,6 +106,7 @@ static void stash_loop(Loop *l, Moment *m, Side *before, Stash *s)
     if (!s->bad) stash_loads(l, s);
     if (!s->bad) snapshot_stash(&l->shots, s);
     if (!s->bad) stash_history(l, s);
+    if (!s->bad) stash_probes(l, s);
 }
 
 void checkpoint_write(Loop *l, Moment *m, Side *before, bool now)
@@ -107,8 +120,8 @@ void checkpoint_write(Loop *l, Moment *m, Side *before, bool now)
     if (l->code) return;
     stash_loop(l, m, before, &s);
     if (s.bad) {
+        l->code = fault_machine(l->fault, l->save.path);
         file_abandon(s.f, l->save.path);
-        l->code = fault_set(l->fault, FAULT_MACHINE, "%s: not written", l->save.path);
     } else {
         l->code = saved_commit(s.f, l->save.path, l->fault);
     }
@@ -122,9 +135,8 @@ int checkpoint_read(Loop *l, Moment *m, Side *before)
     if (!s.f) return FAULT_USAGE;
     stash_loop(l, m, before, &s);
     fclose(s.f);
-    if (!s.bad) return 0;
-    return fault_set(l->fault, FAULT_USAGE,
-                     "--resume: got '%s', which lacks what this run needs: a checkpoint of a run "
-                     "without its --history?",
-                     l->save.resume);
+    m->nprobe = l->probes.n;
+    if (!s.bad) return snapshot_go_on(&l->shots, l->fault);
+    return fault_set(l->fault, FAULT_USAGE, "--resume: got '%s', a checkpoint of a run with %s",
+                     l->save.resume, s.why ? s.why : "other particles or nodes");
 }

@@ -73,8 +73,8 @@ static void centre(Moment *m, const Side *before, const Side *after, double w)
 /* Instants 0 .. n - 1: the kinetic energy of instant k is known after the step from k to k + 1. */
 static void run_steps(Loop *l)
 {
-    Side before;
-    Moment m;
+    Side before = {0};
+    Moment m = {0};
     begin(l, &m, &before);
     for (; !pace_is_over(l) && !grown(l) && !l->code && !stopped(l); l->done++) {
         const double t = l->t;
@@ -239,8 +239,8 @@ int run_spec(const RunSpec *spec, Row *row, Fault *fault)
     l.fault = fault;
     report_inputs(&own, &plan, row);
     if (handover_plan(&own, &plan, &l.handover, fault)) return FAULT_USAGE;
-    if (spec_files_check(spec, fault) || (spec->vtk && snapshot_check(spec->vtk, fault)))
-        return FAULT_MACHINE;
+    if ((code = spec_files_check(spec, fault))) return code;
+    if (spec->vtk && snapshot_check(spec->vtk, fault)) return FAULT_MACHINE;
     if (spec->history && !(l.history = file_begin(spec->history, fault))) return FAULT_MACHINE;
     if (l.history && !own.resume) output_history_header(l.history, own.nprobe, plan.scene.nwall);
     l.self = plan.solver->make(&plan.setup, fault);

@@ -1,5 +1,5 @@
 /* snapshot.c: see snapshot.h. */
-#include "snapshot.h"
+#include "snapshot_list.h"
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -9,60 +9,16 @@
 #include "common/base/table.h"
 #include "common/base/vtk_file.h"
 
-static const char *const stems[SHOT_KINDS] = {"particles", "nodes", "cells"};
-
-void snapshot_free(Snapshots *s)
-{
-    for (int k = 0; k < SHOT_KINDS; k++) free(s->step[k]), free(s->t[k]);
-    *s = (Snapshots){0};
-}
-
-static void list_path(const char *dir, int kind, char path[PATH_MAX])
-{
-    snprintf(path, PATH_MAX, "%.4000s/%s.pvd", dir, stems[kind]);
-}
-
-int snapshot_check(const char *dir, Fault *fault)
-{
-    char path[PATH_MAX];
-    list_path(dir, SHOT_PARTICLES, path);
-    return file_check(path, fault);
-}
-
 static int no_memory(Fault *fault)
 {
     return fault_set(fault, FAULT_MACHINE, "out of memory for a snapshot");
 }
 
-static bool make_room(Snapshots *s, int kind)
-{
-    if (s->n[kind] < s->room[kind]) return true;
-    const size_t room = s->room[kind] ? 2 * (size_t)s->room[kind] : 64;
-    long *step = realloc(s->step[kind], room * sizeof *step);
-    if (step) s->step[kind] = step;
-    double *t = realloc(s->t[kind], room * sizeof *t);
-    if (t) s->t[kind] = t;
-    if (step && t) s->room[kind] = (int)room;
-    return step && t;
-}
-
-/* The collection is written again when it has grown by a tenth, so that a run that is stopped
- * leaves a good one and a long run does not spend its time on lists. */
-static int list_it(Snapshots *s, int kind, bool last, Fault *fault)
-{
-    char path[PATH_MAX];
-    if (!s->n[kind] || s->listed[kind] == s->n[kind]) return 0;
-    if (!last && s->n[kind] < s->listed[kind] + s->listed[kind] / 10 + 1) return 0;
-    list_path(s->dir, kind, path);
-    s->listed[kind] = s->n[kind];
-    return vtk_file_collect(path, stems[kind], s->n[kind], s->step[kind], s->t[kind], fault);
-}
-
 static int write_kind(Snapshots *s, int kind, long step, const VtkData *data, Fault *fault)
 {
     char path[PATH_MAX];
-    if (!make_room(s, kind)) return no_memory(fault);
-    snprintf(path, sizeof path, "%.4000s/%s_%06ld.vtp", s->dir, stems[kind], step);
+    if (!snapshot_room(s, kind)) return no_memory(fault);
+    snapshot_path(s, kind, step, path);
     s->step[kind][s->n[kind]] = step;
     s->t[kind][s->n[kind]++] = data->t;
     return vtk_file_write(path, data, fault);
@@ -236,24 +192,9 @@ int snapshot_take(Snapshots *s, const Scene *scene, const Solver *solver, const 
         if (!code && solver->patches && DIM > 1)
             code = shoot_patches(s, scene, solver, self, step, t, fault);
     }
-    for (int kind = 0; kind < SHOT_KINDS && !code; kind++) code = list_it(s, kind, last, fault);
+    for (int kind = 0; kind < SHOT_KINDS && !code; kind++)
+        code = snapshot_list(s, kind, last, fault);
     return code;
-}
-
-void snapshot_stash(Snapshots *s, Stash *stash)
-{
-    if (!stash_same(stash, s->dir != NULL) || !s->dir) return;
-    STASH(stash, s->slot);
-    for (int kind = 0; kind < SHOT_KINDS; kind++) {
-        int n = s->n[kind];
-        STASH(stash, n);
-        for (s->n[kind] = 0; s->n[kind] < n && !stash->bad; s->n[kind]++) {
-            stash->bad = !make_room(s, kind);
-            if (stash->bad) return;
-            STASH(stash, s->step[kind][s->n[kind]]);
-            STASH(stash, s->t[kind][s->n[kind]]);
-        }
-    }
 }
 
 int snapshot_start(Snapshots *s, const Setup *setup, const Solver *solver, const void *self,

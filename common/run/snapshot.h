@@ -36,6 +36,10 @@ void snapshot_free(Snapshots *s);
 /* What has been taken, out or in (stash.h). */
 void snapshot_stash(Snapshots *s, Stash *stash);
 
+/* After what had been taken was read in: lists it anew, and deletes the instant at which the run
+ * was stopped. 0, or a fault: the folder lacks one of them. */
+int snapshot_go_on(Snapshots *s, Fault *fault);
+
 /* Can snapshots be written into this folder? 0 or a fault with code 1. */
 int snapshot_check(const char *dir, Fault *fault);
 

@@ -59,7 +59,8 @@ static int run(int argc, char **argv, Fault *fault)
     if (args.spec.resume && (code = check_resume(&args, fault))) return code;
     if ((code = spec_files_check(&args.spec, fault))) return code;
     if (args.csv && (code = csv_append_check(args.csv, fault))) return code;
-    if (args.spec.vtk && (code = file_make_folder(args.spec.vtk, fault))) return code;
+    if (args.spec.vtk && !args.spec.resume && (code = file_make_folder(args.spec.vtk, fault)))
+        return code;
     args.spec.stop = signals_note();
     if ((code = engine->run(&args.spec, &row, fault))) return code;
     print_row(&row);

@@ -110,26 +110,55 @@ cp second state.1
 outcome resumed $words --resume state
 ok "byte $byte changed: the one before" alike whole resumed
 "$program" run $words --checkpoint bare --every-s 1e-9 >/dev/null 2>&1
-refused "a checkpoint without history" 2 "lacks" run $words --resume bare --history resumed.history
+refused "a checkpoint without history" 2 "a run with no --history" run $words --resume bare --history resumed.history
+
+# The points that a history follows are those of the checkpoint.
+rm -f state state.1
+"$program" run $words --history whole.history --probe .7,.7 --checkpoint state --every-s 1e-9 >/dev/null 2>&1
+for probes in "" "--probe .2,.9" "--probe .7,.7 --probe .2,.9"; do
+    refused "history with ${probes:-no probe}" 2 "a run with other points of --probe" \
+        run $words --history resumed.history $probes --resume state.1
+done
+run run $words --history resumed.history --probe .7,.7 --resume state.1
+ok "the same probe: $(cat err)" cmp -s whole.history resumed.history
+run run $words --resume state.1
+ok "no history, no probe: $(cat err)" test $status -eq 0
+echo mine >bare.1
+refused "a FILE.1 that is no checkpoint" 2 "where FILE.1 is free or a checkpoint" run $words --checkpoint bare
+ok "is left alone" grep -qx mine bare.1
+ln -s real link
+run run $words --checkpoint link --every-s 1e-9
+ok "a checkpoint through a link: $(cat err)" test -L link -a -s real -a -s real.1 -a ! -e link.1
+run run $words --resume link
+ok "resumes: $(cat err)" test $status -eq 0
 
 # Told to stop, a run leaves a checkpoint, and snapshots go on
-words="bar --t-end .2"
-"$program" run $words --vtk shots --every 2000 >out 2>err
+words="bar --t-end 1"
+"$program" run $words --vtk shots --every 10000 >out 2>err
 (cd shots && sha256sum -- *) >whole.sums
 rm -rf shots state state.1
-"$program" run $words --vtk shots --every 2000 --history part.history --checkpoint state >out 2>err &
-while [ ! -e shots/particles_000000.vtp ] && kill -0 $!; do :; done # the run has begun, not only its folder
+"$program" run $words --vtk shots --every 10000 --history part.history --checkpoint state >out 2>err &
+while [ ! -e shots/particles_010000.vtp ] && kill -0 $!; do :; done
+sleep .01
 kill -TERM $!
 wait $!
 status=$?
 ok "told to stop: $(cat err)" test $status -eq 130 -a -s state
 # shellcheck disable=SC2086
 outcome whole $words
-"$program" run $words --vtk shots --every 2000 --resume state --checkpoint state --history resumed.history \
+ok "a snapshot of the instant at which it stopped" test "$(find shots -name 'particles_*' ! -name '*0000.vtp' | wc -l)" -eq 1
+for other in "--vtk shots" "--vtk shots --every 9999" "--vtk shots --every .001s"; do
+    refused "resumed with $other" 2 "a run with another --every" run $words $other --resume state --history h
+done
+refused "resumed without --vtk" 2 "a run with --vtk" run $words --resume state --history h
+mkdir none
+refused "resumed into another folder" 2 "--vtk: got 'none', takes the folder" run $words --vtk none --every 10000 \
+    --resume state --history h
+"$program" run $words --vtk shots --every 10000 --resume state --checkpoint state --history resumed.history \
     --particles resumed.particles >out 2>err
 timeless out >resumed.row
 ok "resumed: $(cat err)" alike whole resumed
-ok "its snapshots" bash -c 'cd shots && sha256sum --quiet -c ../whole.sums'
+ok "its snapshots" bash -c 'cd shots && sha256sum -- * | cmp -s - ../whole.sums'
 # A kill between naming a file and renaming it leaves state.PID.tmp or state.1.PID.tmp, which no run reads.
 ok "nothing else half written is left" test -z "$(find . -name '*.tmp' ! -name 'state.*')"
 verdict
