@@ -25,10 +25,11 @@ static int check_name(const char *name, const Info *method, Fault *fault)
     for (const Param *p = method->params; p && p->name; p++) names[n++] = p->name;
     for (int k = 0; k < n; k++)
         if (strcmp(names[k], name) == 0) return 0;
-    return fault_set(fault, FAULT_USAGE,
-                     "--then-set %s: got '%s', takes a parameter of %s, domain, strain_update, "
-                     "subcycles, refresh or allow_unstable; did you mean '%s'?",
-                     name, name, method->name, fault_nearest_name(name, names, n));
+    fault_set(fault, FAULT_USAGE,
+              "--then-set %s: got '%s', takes a parameter of %s, domain, strain_update, "
+              "subcycles, refresh or allow_unstable",
+              name, name, method->name);
+    return fault_did_you_mean(fault, "", name, names, n);
 }
 
 static const Method *plugin_of(const char *method)
@@ -43,9 +44,8 @@ static int unknown_method(const char *got, Fault *fault)
     const char *names[64];
     int n = 0;
     for (const Method *const *m = methods; *m; m++) names[n++] = (*m)->info.name;
-    return fault_set(fault, FAULT_USAGE,
-                     "--then: got '%s', takes a method of particles; did you mean '%s'?", got,
-                     fault_nearest_name(got, names, n));
+    fault_set(fault, FAULT_USAGE, "--then: got '%s', takes a method of particles", got);
+    return fault_did_you_mean(fault, "", got, names, n);
 }
 
 /* The scene's and the run's settings are those of the first method; boxes only where there are
@@ -64,7 +64,7 @@ static int second_spec(const RunSpec *spec, const Plan *first, const char *then,
                        Fault *fault)
 {
     const Method *method = plugin_of(then);
-    char pair[128];
+    char pair[sizeof(Setting) + 1];
     if (!method) return unknown_method(then, fault);
     *out = *spec;
     out->nset = 0;
@@ -77,7 +77,7 @@ static int second_spec(const RunSpec *spec, const Plan *first, const char *then,
             const char *name = s->name + (is_own ? PREFIX : 0);
             if (is_own != own_ones || (!is_own && !is_inherited(name, first, method))) continue;
             if (is_own && check_name(name, &method->info, fault)) return FAULT_USAGE;
-            snprintf(pair, sizeof pair, "%.31s=%.31s", name, s->value);
+            snprintf(pair, sizeof pair, "%.31s=%.*s", name, SETTING_TEXT - 1, s->value);
             if (spec_set(out, pair, fault)) return FAULT_USAGE;
         }
     return 0;

@@ -11,9 +11,8 @@ enum { MOST_OPTIONS = 32, FIRST = 1000 }; /* getopt's values count from FIRST: n
 int option_refuse(Fault *fault, const char *what, const char *got, const char *takes,
                   const char *const *names, int n)
 {
-    const char *near = n > 0 && *got ? fault_nearest_name(got, names, n) : NULL;
-    return fault_set(fault, FAULT_USAGE, "%s: got '%.80s', takes %s%s%s%s", what, got, takes,
-                     near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+    fault_set(fault, FAULT_USAGE, "%s: got '%.80s', takes %s", what, got, takes);
+    return fault_did_you_mean(fault, "", got, names, n);
 }
 
 int option_whole(const char *option, const char *text, int high, int *value, Fault *fault)
@@ -43,8 +42,8 @@ static int refuse_option(const Option *options, const char *text, Fault *fault)
     for (int k = 0; k < n; k++) names[k] = options[k].name;
     names[n] = "help";
     snprintf(name, sizeof name, "%.*s", (int)strcspn(text, "="), text);
-    return fault_set(fault, FAULT_USAGE, "unknown option '%s'; did you mean '--%s'?", name,
-                     fault_nearest_name(name + strspn(name, "-"), names, n + 1));
+    fault_set(fault, FAULT_USAGE, "unknown option '%s'", name);
+    return fault_did_you_mean(fault, "--", name + strspn(name, "-"), names, n + 1);
 }
 
 int options_read(int argc, char **argv, const Option *options, TakeOption take, void *into,

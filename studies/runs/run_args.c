@@ -5,9 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include "engines.h"
-#include "must.h"
+#include "run_files.h"
 
 const Option run_args_options[] = {
     {"method", "M", "how particles and grid exchange information (default gimp)"},
@@ -56,21 +55,6 @@ static const struct Number {
     {"every-s", offsetof(RunSpec, save_s), 1e6, 0, "seconds above 0, at most 1000000"},
 };
 
-static const struct File {
-    const char *option;
-    size_t at;
-} files[] = {
-    {"history", offsetof(RunArgs, spec.history)},
-    {"particles", offsetof(RunArgs, spec.particles)},
-    {"nodes", offsetof(RunArgs, spec.nodes)},
-    {"samples", offsetof(RunArgs, spec.samples)},
-    {"errors", offsetof(RunArgs, spec.errors)},
-    {"patches", offsetof(RunArgs, spec.patches)},
-    {"vtk", offsetof(RunArgs, spec.vtk)},
-    {"checkpoint", offsetof(RunArgs, spec.checkpoint)},
-    {"csv", offsetof(RunArgs, csv)},
-};
-
 static int take_problem(RunSpec *spec, const char *got, Fault *fault)
 {
     if (spec->problem[0]) return option_refuse(fault, "PROBLEM", got, "one problem only", NULL, 0);
@@ -113,38 +97,6 @@ static int take_number(RunSpec *spec, const struct Number *n, const char *got, F
     return 0;
 }
 
-/* Do both paths name one file, there or not yet? Devices may serve several options. */
-static bool is_same_file(const char *a, const char *b)
-{
-    struct stat s, t;
-    if (strcmp(a, b) == 0) return true;
-    if (stat(a, &s) == 0)
-        return S_ISREG(s.st_mode) && stat(b, &t) == 0 && s.st_dev == t.st_dev &&
-               s.st_ino == t.st_ino;
-    const char *base_a = strrchr(a, '/'), *base_b = strrchr(b, '/');
-    if (strcmp(base_a ? base_a + 1 : a, base_b ? base_b + 1 : b) != 0) return false;
-    char *dir_a = must_text("%.*s.", base_a ? (int)(base_a - a) + 1 : 0, a);
-    char *dir_b = must_text("%.*s.", base_b ? (int)(base_b - b) + 1 : 0, b);
-    const bool same = stat(dir_a, &s) == 0 && stat(dir_b, &t) == 0 && s.st_dev == t.st_dev &&
-                      s.st_ino == t.st_ino;
-    free(dir_a);
-    free(dir_b);
-    return same;
-}
-
-static int take_file(RunArgs *args, const struct File *f, const char *got, Fault *fault)
-{
-    if (!*got) return fault_set(fault, FAULT_USAGE, "--%s: got '', takes a path", f->option);
-    for (const struct File *o = files; o < files + sizeof files / sizeof *files; o++) {
-        const char *taken = *(const char **)((char *)args + o->at);
-        if (taken && o != f && is_same_file(taken, got))
-            return fault_set(fault, FAULT_USAGE, "--%s: got '%.80s', takes another path than --%s",
-                             f->option, got, o->option);
-    }
-    *(const char **)((char *)args + f->at) = got;
-    return 0;
-}
-
 static int take_set(RunArgs *args, const char *got, Fault *fault)
 {
     return spec_set(&args->spec, got, fault);
@@ -154,7 +106,7 @@ static int take_set(RunArgs *args, const char *got, Fault *fault)
 static int set_text(RunArgs *args, const char *option, const char *before, const char *got,
                     Fault *fault)
 {
-    char pair[128];
+    char pair[sizeof(Setting) + 1];
     const int n = snprintf(pair, sizeof pair, "%s%s", before, got);
     if (n < (int)sizeof pair && spec_set(&args->spec, pair, NULL) == 0) return 0;
     return option_refuse(fault, option, got,
@@ -251,8 +203,8 @@ static int take(void *into, const char *name, const char *got, Fault *fault)
     if (!name) return take_problem(spec, got, fault);
     for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
         if (strcmp(numbers[k].option, name) == 0) return take_number(spec, &numbers[k], got, fault);
-    for (size_t k = 0; k < sizeof files / sizeof *files; k++)
-        if (strcmp(files[k].option, name) == 0) return take_file(args, &files[k], got, fault);
+    const int taken = run_files_take(args, name, got, fault);
+    if (taken >= 0) return taken;
     for (size_t k = 0; k < sizeof others / sizeof *others; k++)
         if (strcmp(others[k].option, name) == 0) return others[k].take(args, got, fault);
     return fault_set(fault, FAULT_USAGE, "unknown option '--%s'", name);
@@ -273,5 +225,5 @@ int run_args_read(int argc, char **argv, RunArgs *args, Fault *fault)
                          args->spec.probe[0].text);
     if (args->spec.save_s > 0 && !args->spec.checkpoint)
         return fault_set(fault, FAULT_USAGE, "--every-s: needs --checkpoint FILE");
-    return 0;
+    return run_files_check(args, fault);
 }
