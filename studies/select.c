@@ -34,6 +34,7 @@ static bool is_setting(const char *name)
 static _Noreturn void refuse(const Table *t, const char *name)
 {
     const char *names[MOST_NAMES];
+    Fault fault;
     int n = 0;
     for (int k = 0; k < t->ncol && n < MOST_NAMES; k++) names[n++] = t->name[k];
     for (const Engine *const *e = engines; *e && table_column(t, "params") >= 0; e++)
@@ -41,8 +42,9 @@ static _Noreturn void refuse(const Table *t, const char *name)
             for (const Info *const *i = k ? (*e)->methods : (*e)->problems; *i; i++)
                 for (const Param *p = (*i)->params; p && p->name && n < MOST_NAMES; p++)
                     names[n++] = p->name;
-    fprintf(stderr, "mpmlab: %s: its table has no column and no setting '%s'; did you mean '%s'?\n",
-            page, name, fault_nearest_name(name, names, n));
+    fault_set(&fault, FAULT_MACHINE, "%s: its table has no column and no setting '%s'", page, name);
+    fault_did_you_mean(&fault, "", name, names, n);
+    fprintf(stderr, "mpmlab: %s\n", fault.text);
     exit(FAULT_MACHINE);
 }
 

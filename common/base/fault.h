@@ -15,7 +15,9 @@ int fault_set(Fault *f, int code, const char *format, ...) __attribute__((format
 /* "what: why", why the last system call failed (errno): FAULT_MACHINE. */
 int fault_machine(Fault *f, const char *what);
 
-/* The name in `names` (n of them) nearest to `got` by edit distance, for "did you mean". */
-const char *fault_nearest_name(const char *got, const char *const *names, int n);
+/* Adds "; did you mean 'NAME'?" with the name in `names` (n of them) that is nearest to `got` by
+ * edit distance, if one is near; `dashes` stand before it. Returns FAULT_USAGE. */
+int fault_did_you_mean(Fault *f, const char *dashes, const char *got, const char *const *names,
+                       int n);
 
 #endif

@@ -44,12 +44,9 @@ static int unknown_setting(const Plan *plan, const char *name, Fault *fault)
         if (info_param_find(lists[l], name)) return 0;
         for (int k = 0; k < param_count(lists[l]); k++) names[n++] = lists[l][k].name;
     }
-    return fault_set(
-        fault, FAULT_USAGE,
-        "--set %s: got '%s', takes a parameter of %s, %s or of every run; did you mean "
-        "'%s'?",
-        name, name, plan->scene.problem->info.name, plan->method->name,
-        fault_nearest_name(name, names, n));
+    fault_set(fault, FAULT_USAGE, "--set %s: got '%s', takes a parameter of %s, %s or of every run",
+              name, name, plan->scene.problem->info.name, plan->method->name);
+    return fault_did_you_mean(fault, "", name, names, n);
 }
 
 static const Problem *find_problem(const char *name)
@@ -86,9 +83,9 @@ static int choose_ppc(RunSpec *spec, Plan *plan, const double run[], Fault *faul
         const double count = given > 0 ? given : round(spec->ppc * s->cells * length);
         if (!(count >= 1 && count <= 1e9 && 2 * count > s->cells * length / 15))
             return fault_set(fault, FAULT_USAGE,
-                             "--ppc: got '%g', takes 1 to 1e9 particles in all and "
+                             "--%s: got '%g', takes 1 to 1e9 particles in all and "
                              "at least 1/30 per cell",
-                             spec->ppc);
+                             given > 0 ? "set particles" : "ppc", given > 0 ? given : spec->ppc);
         s->count = (int)count;
         spec->ppc = count / (s->cells * length);
     } else if ((DIM > 2 || !s->fitted) && s->method &&

@@ -66,9 +66,8 @@ static int find_method(const char *name, Named *out, Fault *fault)
         if (strcmp((*s)->info.name, name) == 0) *out = (Named){NULL, *s, &(*s)->info};
     }
     if (out->info) return 0;
-    return fault_set(fault, FAULT_USAGE,
-                     "--method: got '%s', takes a method of %dD; did you mean '%s'?", name, DIM,
-                     fault_nearest_name(name, names, n));
+    fault_set(fault, FAULT_USAGE, "--method: got '%s', takes a method of %dD", name, DIM);
+    return fault_did_you_mean(fault, "", name, names, n);
 }
 
 /* One method, or A+B in a scene with two bodies. */
@@ -105,9 +104,8 @@ static int unknown_integrator(const char *got, Fault *fault)
 {
     const char *names[INTEGRATORS];
     for (int i = 0; i < INTEGRATORS; i++) names[i] = step_integrators[i].name;
-    return fault_set(fault, FAULT_USAGE,
-                     "--integrator: got '%s', takes cd, uvf, musl, usl or usf; did you mean '%s'?",
-                     got, fault_nearest_name(got, names, INTEGRATORS));
+    fault_set(fault, FAULT_USAGE, "--integrator: got '%s', takes cd, uvf, musl, usl or usf", got);
+    return fault_did_you_mean(fault, "", got, names, INTEGRATORS);
 }
 
 int settings_integrator(RunSpec *spec, Plan *plan, const double run[], Fault *fault)

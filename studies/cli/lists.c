@@ -20,7 +20,7 @@ static int add(List *list, const char *what, const char *value, Fault *fault)
     if (!*value) return refuse_list(what, value, "values between commas", fault);
     for (int k = 0; k < list->n; k++)
         if (strcmp(list->value[k], value) == 0) return 0;
-    if (list->n == LIST_MAX) return refuse_list(what, "more", "at most 1000 values", fault);
+    if (list->n == LIST_MAX) return refuse_list(what, value, "at most 1000 values", fault);
     list->value = must_grow(list->value, list->n, sizeof *list->value);
     list->value[list->n++] = must_text("%s", value);
     return 0;
@@ -62,10 +62,11 @@ static int add_range(List *list, const char *what, const char *text, bool whole,
     for (int k = 0; k <= LIST_MAX; k++) {
         const double x = r.times ? r.from * pow(r.by, k) : r.from + r.by * k;
         if (x > r.to * (1 + 1e-9) && x > r.to + 1e-9 * r.by) return 0;
+        if (list->n == LIST_MAX) break;
         value_print(x, whole, value);
         if (add(list, what, value, fault)) return FAULT_USAGE;
     }
-    return refuse_list(what, text, "a range of at most 1000 values", fault);
+    return refuse_list(what, text, "at most 1000 values", fault);
 }
 
 int lists_read(List *list, const char *what, const char *text, bool whole, Fault *fault)

@@ -54,16 +54,25 @@ static void test_param(void)
     CHECK_TEXT(takes, "a number in [1, 1000000000000]");
 }
 
-static void test_nearest_name(void)
+static void check_hint(const char *got, const char *hint)
 {
     static const char *const names[] = {"bar", "ring", "squeeze", "sine_bar"};
-    CHECK_TEXT(fault_nearest_name("squeze", names, 4), "squeeze");
-    CHECK_TEXT(fault_nearest_name("rnig", names, 4), "ring");
-    CHECK_TEXT(fault_nearest_name("sine", names, 4), "sine_bar");
-    CHECK_TEXT(fault_nearest_name("abr", names, 4), "bar");
-    CHECK_TEXT(fault_nearest_name("BAR", names, 4), "bar");
-    CHECK_TEXT(fault_nearest_name("", names, 4), "bar");
-    CU_ASSERT_PTR_NULL(fault_nearest_name("bar", names, 0));
+    Fault f;
+    fault_set(&f, FAULT_USAGE, "wrong");
+    CU_ASSERT(fault_did_you_mean(&f, "--", got, names, 4) == FAULT_USAGE);
+    CHECK_TEXT(f.text + strlen("wrong"), hint);
+}
+
+static void test_nearest_name(void)
+{
+    check_hint("squeze", "; did you mean '--squeeze'?");
+    check_hint("rnig", "; did you mean '--ring'?");
+    check_hint("sine", "; did you mean '--sine_bar'?");
+    check_hint("abr", "; did you mean '--bar'?");
+    check_hint("BAR", "; did you mean '--bar'?");
+    check_hint("xyz", ""); /* nothing is near */
+    check_hint("", "");
+    CU_ASSERT(fault_did_you_mean(NULL, "", "bar", NULL, 0) == FAULT_USAGE);
 }
 
 /* One number in several spellings is one word of a key; the last word, a checksum, is text. */
