@@ -96,10 +96,10 @@ unsigned sim_stops(const Grid *g, int row, int i, double dt)
 }
 
 /* One node: v = p/m, a = f/m times `scale`, walls, v += a dt; then what a gather reads. Held
- * components get v = a = 0, except `stopped` ones (unilateral walls), whose a = -v/dt stops the
- * particles themselves, so that they can leave again. Adds to `impulse` the momentum that this node
- * gives to particles, m (dt (1 - pic) a + pic v), minus what they lose to it, pic p, and minus the
- * internal force. `force`: the node's body force, or NULL. */
+ * components get a = 0 and the wall's own v, `drive`, except `stopped` ones (unilateral walls),
+ * whose a = -v/dt stops the particles themselves, so that they can leave again. Adds to `impulse`
+ * the momentum that this node gives to particles, m (dt (1 - pic) a + pic v), minus what they lose
+ * to it, pic p, and minus the internal force. `force`: the node's body force, or NULL. */
 static inline __attribute__((always_inline)) void solve_node(Line *node, const double *force,
                                                              const Motion *m, unsigned held,
                                                              unsigned stopped, const Vec drive,

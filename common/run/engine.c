@@ -46,6 +46,19 @@ static void say_scale(const Info *info, const Scene *scene, FILE *out)
         fprintf(out, "errors over\t%s\t%.9g m\n", info->scale, scene->error_scale);
 }
 
+/* The law (W11 eqs 31, 32) and its constants with the scene's default parameters. */
+static void say_material(const Material *m, FILE *out)
+{
+    static const char *const state[] = {"", "uniaxial strain, nu = 0", "plane strain", "3D"};
+    fprintf(out, "material\t%s\t%s\n",
+            m->law == LINEAR ? "linear: P = lambda tr(e) I + 2 mu e, e = (F + F^T)/2 - I"
+                             : "neo-Hookean: J sigma = lambda ln J I + mu (F F^T - I)",
+            state[DIM]);
+    fprintf(out, "material\t%.9g\tPa\tYoung's modulus E\n", m->E);
+    fprintf(out, "material\t%.9g\t-\tPoisson's ratio nu\n", m->nu);
+    fprintf(out, "material\t%.9g\tkg/m^3\tdensity rho at rest\n", m->rho);
+}
+
 static void say_problem(const Problem *p, FILE *out)
 {
     RunSpec spec = {0};
@@ -60,12 +73,16 @@ static void say_problem(const Problem *p, FILE *out)
     fprintf(out, "ppc\t%g\t-\tparticles per cell\t\n", p->ppc);
     if (!p->projection) {
         fprintf(out, "cfl\t%g\t-\ttime step over h/c\t\n", p->cfl);
-        fprintf(out, "t_end\t%.9g\ts\tend of the run\t\n", plan.scene.t_end);
+        if (p->steps)
+            fprintf(out, "t_end\t%g\tsteps\tend of the run\t\n", (double)p->steps);
+        else
+            fprintf(out, "t_end\t%.9g\ts\tend of the run\t\n", plan.scene.t_end);
     }
     say_params(p->info.params, out);
     for (int k = 0; k < RUN_PARAMS; k++)
         if (settings_act_on_problem(k, p)) say_param(&settings_common[k], out);
     if (p->projection) return;
+    say_material(m, out);
     fprintf(out, "wave speed\t%.9g\tm/s\tc in dt0 = CFL h/c\t\n", plan.scene.c);
     fprintf(out, "wave speed\t%.9g\tm/s\tbar, sqrt(E/rho)\t\n", material_wave_speed_bar(m));
     fprintf(out, "wave speed\t%.9g\tm/s\tP wave, sqrt((lambda + 2 mu)/rho)\t\n",

@@ -26,7 +26,8 @@ void loop_measure_state(Loop *l, Moment *m)
     l->plan->solver->view(l->self, &p, &q);
     m->strain = ledger_strain(&l->plan->scene, &q, l->plan->setup.threads, &l->scratch);
     if (!l->history) return;
-    probe_measure(&l->probes, &l->plan->scene, l->plan->solver, l->self, m->probe);
+    if (!probe_measure(&l->probes, &l->plan->scene, l->plan->solver, l->self, m->probe))
+        l->code = fault_set(l->fault, FAULT_MACHINE, "out of memory for --probe");
     const Volumes v = ledger_volumes(&q);
     m->volume = v.sum;
     m->least_J = v.least;

@@ -114,7 +114,7 @@ static bool make_room(Probes *p, int slots)
     return true;
 }
 
-void probe_measure(Probes *p, const Scene *scene, const Solver *solver, const void *self,
+bool probe_measure(Probes *p, const Scene *scene, const Solver *solver, const void *self,
                    double out[][PROBE_COLUMNS])
 {
     Points points;
@@ -123,12 +123,14 @@ void probe_measure(Probes *p, const Scene *scene, const Solver *solver, const vo
     solver->view(self, &points, &samples);
     for (int k = 0; k < p->n; k++)
         for (int c = 0; c < PROBE_COLUMNS; c++) out[k][c] = NAN;
-    if (!p->n || !make_room(p, points.n)) return;
+    if (!p->n) return true;
+    if (!make_room(p, points.n)) return false;
     for (int k = 0; k < 2 * NMAT; k++) M[k] = p->fields + (size_t)k * (size_t)p->room;
     solver->point_stress(self, M, M + NMAT);
     for (int slot = 0; slot < points.n; slot++)
         for (int k = 0; k < p->n; k++)
             if (points.id[slot] == p->id[k]) measure_slot(scene, &points, M, slot, out[k]);
+    return true;
 }
 
 static bool acts_along(const Wall *w, int axis)

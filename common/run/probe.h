@@ -25,8 +25,8 @@ int probe_check(const RunSpec *spec, const Scene *scene, Fault *fault);
  * ones (to 1e-9 of their distance to the probe); call before the first step. */
 void probe_find(Probes *p, const RunSpec *spec, const Solver *solver, const void *self);
 
-/* u = x - X and Cauchy stress of each probe's point. */
-void probe_measure(Probes *p, const Scene *scene, const Solver *solver, const void *self,
+/* u = x - X and Cauchy stress of each probe's point. False: no memory. */
+bool probe_measure(Probes *p, const Scene *scene, const Solver *solver, const void *self,
                    double out[][PROBE_COLUMNS]);
 void probe_free(Probes *p);
 

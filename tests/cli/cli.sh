@@ -87,6 +87,12 @@ run describe bar
 ok "describe a problem: error scale and formula" grep -qP '^errors over\tv0 L/c\t0.01 m$' out
 ok "describe a problem: its exact motion" grep -qP '^formula\tu = ' out
 ok "describe a problem: the options that act" grep -qP '^strain_update\t' out
+ok "describe a problem: law" grep -qP '^material\tneo-Hookean: J sigma = .*\tuniaxial strain, nu = 0$' out
+ok "describe a problem: its constants" grep -qP '^material\t10000\tPa\tYoung' out
+run describe column
+ok "describe a problem: the linear law" grep -qP '^material\tlinear: ' out
+run describe free_block
+ok "describe a problem: an end in steps" grep -qP '^t_end\t100\tsteps\t' out
 run describe squeeze
 ok "describe a projection: not those that cannot act" test "$(grep -cP '^(strain_update|steps|stop_growth|refresh)\t' out)" -eq 0
 run describe ge_gimp
@@ -193,6 +199,10 @@ cp out then.csv
 ok "--then: the row: $(cat err)" test "$status" -eq 0 -a "$(tail -n 1 out | cut -d, -f2)" = wls2
 ok "--then: its parameters" grep -qE ';at=0.01;.*;then=gimp;then_domain=undeformed;' out
 ok "--then: when it was" grep -q 'gimp from step 28 t=0.01' out
+place=a_folder_whose_name_is_longer_than_a_setting
+mkdir $place && cp "$here/../data/scans/porous.pgm" $place/
+run run scan --cells 16 --method wls2 --set file=$place/porous.pgm --then gimp --at .001 --set steps=200
+ok "--then: a long path: $(cat err)" test "$status" -eq 0
 run run ring --cells 16 --method wls2 --then gimp --at .005 --set dt=adaptive --history walls.csv
 ok "--then: when it was, in adaptive steps" grep -q 'gimp from step 41 t=0.0051' out
 ok "--then: walls push on as before" awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k == "wall1_fx") w = k }
@@ -336,6 +346,10 @@ run run bar --vtk snap/time --every .001s --set steps=150 --quiet
 ok "--every a time: 0, .001, .002, .003 and the end" test "$status" -eq 0 -a "$(grep -c '<DataSet' snap/time/particles.pvd)" -eq 5
 ok "--every a time: the first step that reaches it" grep -q 'timestep="0.001"' snap/time/particles.pvd
 ok "the grid at the start" test -s snap/time/nodes_000000.vtp
+# A stream goes on where it is, also if it is a file.
+"$program" run bar --set steps=150 --history /proc/self/fd/1 >both 2>err
+"$program" run bar --set steps=150 --history h.csv >out
+ok "history and row in one stream: $(cat err)" cmp -s <(cat h.csv out | timeless /dev/stdin) <(timeless both)
 run run bar --set steps=150
 cp out plain.csv
 run run bar --set steps=150 --vtk snap/time --every 1
