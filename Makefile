@@ -129,32 +129,33 @@ endef
 $(foreach d,$(CORE_DIMS),$(eval $(call dimension_tests,core_$(d)d,$(d))))
 $(foreach p,fem wls scenes,$(eval $(call dimension_tests,$(p),2)))
 
-# The output of a test is printed when it ends. Scripts run $(JOBS) + 1 at once, since cluster.sh mostly waits for daemons;
-# then the CUnit programs, $(JOBS) at once.
-AT_ONCE     = @$(MAKE) --no-print-directory --output-sync=target -j$(JOBS)
-QUICK_TESTS = cli sweep wrong_inputs
-SHELL_TESTS = example cluster faults $(QUICK_TESTS) resume install page
+# CUnit programs and scripts run together, the longest first, one more than JOBS, since cluster.sh and page.sh mostly wait.
+# A script's output is printed when it ends, that of the programs after all, so that CUnit's summaries come last.
+AT_ONCE     = @$(MAKE) --no-print-directory --output-sync=target -j$(shell expr $(JOBS) + 1)
+QUICK_TESTS = cli wrong_inputs sweep
+SHELL_TESTS = cluster page example faults resume $(QUICK_TESTS) install
 RUN_SHELL   = $(SHELL_TESTS:%=run-%)
 RUN_UNIT    = $(UNIT_TESTS:$(BUILD)/tests/%=run-%)
+SUMMARIES   = @cat $(UNIT_TESTS:$(BUILD)/tests/%=$(BUILD)/tests/run/%/log)
 
-test: ## every test (3 minutes on 2 cores)
+test: ## every test (2 minutes on 2 cores)
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
-	$(AT_ONCE) -j$(shell expr $(JOBS) + 1) $(RUN_SHELL)
+	$(AT_ONCE) run-cluster run-page $(RUN_UNIT) $(RUN_SHELL)
 	bash tests/tools/reach_table.sh --check README.md $(BUILD)/out
-	$(AT_ONCE) $(RUN_UNIT)
+	$(SUMMARIES)
 
 # The program's own tests, for sanitizers. Of the program `claims`, which judges every page many times, only one test.
 quick: ## the tests of the program itself, without installation and examples
 	@$(MAKE) --no-print-directory -j$(JOBS) all $(UNIT_TESTS)
-	$(AT_ONCE) $(QUICK_TESTS:%=run-%)
-	$(AT_ONCE) ONLY_claims='claims on whole' $(RUN_UNIT)
+	$(AT_ONCE) ONLY_claims='claims on whole' $(RUN_UNIT) $(QUICK_TESTS:%=run-%)
+	$(SUMMARIES)
 
 .PHONY: $(RUN_SHELL) $(RUN_UNIT)
 $(RUN_SHELL): run-%:
 	bash $(wildcard tests/*/$*.sh) $(if $(filter example,$*),$(BUILD)/example,$(if $(filter install,$*),$(BUILD),$(BUILD)/mpmlab) $(BUILD)/tests)
 $(RUN_UNIT): run-%:
 	@mkdir -p $(BUILD)/tests/run/$* && cd $(BUILD)/tests/run/$* && \
-	  $(if $(ONLY_$*),ONLY='$(ONLY_$*)') OMP_WAIT_POLICY=passive $(CURDIR)/$(BUILD)/tests/$*
+	  $(if $(ONLY_$*),ONLY='$(ONLY_$*)') OMP_WAIT_POLICY=passive $(CURDIR)/$(BUILD)/tests/$* >log 2>&1 || { cat log; exit 1; }
 
 # Speed (figure T-3): an AVX2 build beside the own one, whose instructions valgrind can count.
 bench: all $(BUILD)/tests/bench $(BUILD)/tests/palette ## speed: figure T-3, and instructions if valgrind is installed (10 minutes)
