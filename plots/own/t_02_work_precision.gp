@@ -14,7 +14,8 @@ is(p, m) = strcol('problem') eq p && strcol('method') eq m && \
            (strcol('status') eq 'ok' || strcol('status') eq 'energy_growth')
 own(p, m) = is(p, m) && column('front_own') == 1 ? column('cpu_s') : NaN
 best(p) = strcol('problem') eq p && column('front') == 1 ? column('cpu_s') : NaN
-on(m) = m eq 'fem' || strstrt(ON.' ', ' '.m.' ') > 0
+shown(p) = best(p) == best(p) || is(p, 'fem')
+on(m) = strstrt(ON.' ', ' '.m.' ') > 0
 set multiplot
 set logscale xy
 set format x '10^{%T}'
@@ -29,11 +30,12 @@ do for [k = 1:6] {
     set bmargin at screen 0.965 - 0.32 * row - 0.235
     ON = ''
     set datafile columnheaders
-    stats points_ using (best(p) == best(p) ? (ON = ON.' '.strcol('method'), 1) : 1) nooutput
+    stats points_ using (shown(p) ? (ON = ON.' '.strcol('method'), 1) : 1) nooutput
     unset datafile columnheaders
     set label 1 heading(TITLE[k]) at graph 0, graph 1.05
     set xlabel 'CPU time of the step loop [s]'
     set key at graph 1, graph 1 right top samplen 1.6 font small spacing 1.05
+    if (p eq 'sine_bar') { set key at graph 0.01, graph 0.01 left bottom spacing 0.9 } # no curve is there
     plot points_ using (best(p)):'error' smooth unique with steps lw 7 lc rgb '#e2e2d6' title 'Pareto front', \
          for [m in seen_] points_ using (on(m) ? NaN : own(p, m)):'error' smooth unique with lines lw 0.7 lc rgb '#b8b8b8' notitle, \
          for [m in seen_] points_ using (on(m) ? own(p, m) : NaN):'error' smooth unique with linespoints ls style(m) notitle, \
