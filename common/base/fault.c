@@ -79,7 +79,8 @@ static int edit_distance(const char *a, const char *b)
     return least;
 }
 
-/* The nearest of the names; NULL if half of the word would have to be changed for it. */
+/* The nearest of the names; NULL if more than half of the letters of the word (rounded up) would
+ * have to be changed for it. */
 static const char *nearest(const char *got, const char *const *names, int n)
 {
     const char *best = NULL;

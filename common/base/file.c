@@ -19,36 +19,6 @@ static void folder_of(const char *path, char out[PATH_MAX])
     snprintf(out, PATH_MAX, "%.*s", slash ? (int)(slash - path) + 1 : 2, slash ? path : "./");
 }
 
-void file_target(const char *path, char out[PATH_MAX])
-{
-    char link[PATH_MAX], folder[PATH_MAX];
-    int length = snprintf(out, PATH_MAX, "%s", path);
-    for (int k = 0; k < MOST_LINKS && length < PATH_MAX; k++) {
-        const ssize_t n = readlink(out, link, sizeof link - 1);
-        if (n < 0) return;
-        link[n] = '\0';
-        folder_of(out, folder);
-        length = snprintf(out, PATH_MAX, "%s%s", link[0] == '/' ? "" : folder, link);
-    }
-}
-
-static void beside(const char *path, char out[PATH_MAX])
-{
-    char target[PATH_MAX];
-    file_target(path, target);
-    snprintf(out, PATH_MAX, "%.*s.%d.tmp", MOST_PATH, target, (int)getpid());
-}
-
-/* A file without a name in the folder of what will be replaced; -1 where the file system has none.
- */
-static int open_nameless(const char *path)
-{
-    char target[PATH_MAX], folder[PATH_MAX];
-    file_target(path, target);
-    folder_of(target, folder);
-    return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
-}
-
 /* The number of the open stream that path names, as /dev/stdout does; -1: it names none. */
 static int stream_of(const char *path)
 {
@@ -59,60 +29,99 @@ static int stream_of(const char *path)
     return sscanf(path, "/dev/fd/%d", &fd) || sscanf(path, "/proc/self/fd/%d", &fd) ? fd : -1;
 }
 
-/* Streams, devices and pipes are written straight: they have nothing to keep whole, and must not be
- * replaced. */
-static int is_special(const char *path)
+void file_target(const char *path, char out[PATH_MAX])
+{
+    char link[PATH_MAX], folder[PATH_MAX];
+    int length = snprintf(out, PATH_MAX, "%s", path);
+    for (int k = 0; k < MOST_LINKS && length < PATH_MAX && stream_of(out) < 0; k++) {
+        const ssize_t n = readlink(out, link, sizeof link - 1);
+        if (n < 0) return;
+        link[n] = '\0';
+        folder_of(out, folder);
+        length = snprintf(out, PATH_MAX, "%s%s", link[0] == '/' ? "" : folder, link);
+    }
+}
+
+bool file_is_special(const char *path)
 {
     struct stat s;
-    return stream_of(path) >= 0 || (stat(path, &s) == 0 && !S_ISREG(s.st_mode));
+    char target[PATH_MAX];
+    file_target(path, target);
+    return stream_of(target) >= 0 || (stat(path, &s) == 0 && !S_ISREG(s.st_mode));
 }
 
 /* A stream goes on where it is, also in a file. */
-static int open_special(const char *path)
+static int open_special(const char *path, const char *target)
 {
-    const int fd = stream_of(path);
+    const int fd = stream_of(target);
     return fd < 0 ? open(path, O_WRONLY | O_CLOEXEC) : fcntl(fd, F_DUPFD_CLOEXEC, 0);
 }
 
-/* Can a file be made beside path and renamed over it? Tries it. Leaves errno if not. */
-static int is_replaceable(const char *path)
+static void beside(const char *target, char out[PATH_MAX])
+{
+    snprintf(out, PATH_MAX, "%.*s.%d.tmp", MOST_PATH, target, (int)getpid());
+}
+
+/* A new file in the folder of what it will replace: without a name, or beside() where the file
+ * system has no such files. */
+static int open_new(const char *target)
+{
+    char folder[PATH_MAX], temporary[PATH_MAX];
+    folder_of(target, folder);
+    const int fd = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+    if (fd >= 0) return fd;
+    beside(target, temporary);
+    unlink(temporary);
+    return open(temporary, O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
+}
+
+/* Can a file be made beside target and renamed over it? Tries it. Leaves errno if not. */
+static bool is_replaceable(const char *target)
 {
     struct stat s;
     char temporary[PATH_MAX];
-    beside(path, temporary);
+    beside(target, temporary);
     errno = ENAMETOOLONG;
-    if (strlen(path) > MOST_PATH) return 0;
-    if (lstat(temporary, &s) != 0 && errno != ENOENT) return 0; /* its name is the longer one */
-    int fd = open_nameless(path);
-    if (fd < 0) {
-        fd = open(temporary, O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666);
-        if (fd >= 0) unlink(temporary);
-    }
-    if (fd >= 0) close(fd);
-    return fd >= 0;
+    if (strlen(target) > MOST_PATH) return false;
+    if (lstat(temporary, &s) != 0 && errno != ENOENT) return false; /* its name is the longer one */
+    const int fd = open_new(target);
+    if (fd < 0) return false;
+    if (fstat(fd, &s) == 0 && s.st_nlink > 0) unlink(temporary);
+    close(fd);
+    return true;
+}
+
+static bool is_writable_stream(int fd)
+{
+    const int mode = fcntl(fd, F_GETFL);
+    errno = EBADF;
+    return mode >= 0 && (mode & O_ACCMODE) != O_RDONLY;
 }
 
 int file_check(const char *path, Fault *fault)
 {
     struct stat s;
-    const int there = stat(path, &s) == 0, missing = !there && errno == ENOENT;
-    if (there && S_ISDIR(s.st_mode))
-        errno = EISDIR;
-    else if (there && access(path, W_OK) == 0 && (!S_ISREG(s.st_mode) || is_replaceable(path)))
-        return 0;
-    else if (missing && is_replaceable(path))
-        return 0;
-    return fault_machine(fault, path);
+    char target[PATH_MAX];
+    bool good;
+    file_target(path, target);
+    if (stream_of(target) >= 0)
+        good = is_writable_stream(stream_of(target));
+    else if (stat(path, &s) != 0)
+        good = errno == ENOENT && is_replaceable(target);
+    else if (S_ISDIR(s.st_mode))
+        good = false, errno = EISDIR;
+    else
+        good = access(path, W_OK) == 0 && (!S_ISREG(s.st_mode) || is_replaceable(target));
+    return good ? 0 : fault_machine(fault, path);
 }
 
 FILE *file_begin(const char *path, Fault *fault)
 {
-    char temporary[PATH_MAX];
-    beside(path, temporary);
-    int fd = is_special(path) ? open_special(path) : open_nameless(path);
-    if (fd < 0 && !is_special(path))
-        fd = open(temporary, O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666);
-    FILE *f = fd < 0 ? NULL : fdopen(fd, is_special(path) ? "w" : "w+");
+    char target[PATH_MAX];
+    const bool special = file_is_special(path);
+    file_target(path, target);
+    const int fd = special ? open_special(path, target) : open_new(target);
+    FILE *f = fd < 0 ? NULL : fdopen(fd, special ? "w" : "w+");
     if (!f) fault_machine(fault, path);
     return f;
 }
@@ -133,14 +142,17 @@ static int same_bytes(FILE *f, const char *path)
     return na == 0 && nb == 0;
 }
 
-/* Gives the file its temporary name, if it has none yet, and the mode of the file that it replaces.
+/* Gives the file the mode of the one that it replaces, and its temporary name if it has none yet.
  */
-static int name_it(FILE *f, const char *path, const char *temporary)
+static int name_it(FILE *f, const char *target, const char *temporary)
 {
-    struct stat s;
+    struct stat now, old;
     char self[64];
-    if (stat(path, &s) == 0 && fchmod(fileno(f), s.st_mode & 07777) != 0) return -1;
-    if (fstat(fileno(f), &s) != 0 || s.st_nlink > 0) return 0;
+    if (fstat(fileno(f), &now) != 0) return -1;
+    if (stat(target, &old) == 0 && (old.st_mode ^ now.st_mode) & 07777 &&
+        fchmod(fileno(f), old.st_mode & 07777) != 0)
+        return -1;
+    if (now.st_nlink > 0) return 0;
     unlink(temporary);
     snprintf(self, sizeof self, "/proc/self/fd/%d", fileno(f));
     return linkat(AT_FDCWD, self, AT_FDCWD, temporary, AT_SYMLINK_FOLLOW);
@@ -156,15 +168,15 @@ static int close_special(FILE *f, const char *path, Fault *fault)
 int file_commit(FILE *f, const char *path, Fault *fault)
 {
     char temporary[PATH_MAX], target[PATH_MAX];
-    beside(path, temporary);
     file_target(path, target);
-    if (is_special(path)) return close_special(f, path, fault);
+    beside(target, temporary);
+    if (file_is_special(path)) return close_special(f, path, fault);
     if (fflush(f) == 0 && !ferror(f)) {
-        if (same_bytes(f, path)) {
+        if (same_bytes(f, target)) {
             file_abandon(f, path);
             return 0;
         }
-        if (name_it(f, path, temporary) == 0 && rename(temporary, target) == 0) {
+        if (name_it(f, target, temporary) == 0 && rename(temporary, target) == 0) {
             fclose(f); /* flushed above: nothing left to fail */
             return 0;
         }
@@ -176,10 +188,11 @@ int file_commit(FILE *f, const char *path, Fault *fault)
 
 void file_abandon(FILE *f, const char *path)
 {
-    char temporary[PATH_MAX];
-    beside(path, temporary);
+    char temporary[PATH_MAX], target[PATH_MAX];
+    file_target(path, target);
+    beside(target, temporary);
     fclose(f);
-    if (!is_special(path)) unlink(temporary);
+    if (!file_is_special(path)) unlink(temporary);
 }
 
 int file_make_folder(const char *path, Fault *fault)

@@ -4,7 +4,6 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 #include "spec.h"
@@ -25,10 +24,10 @@ int saved_check_before(const char *path, Fault *fault)
     char before[PATH_MAX], text[sizeof magic] = "";
     path_before(path, before);
     if (file_check(before, fault)) return FAULT_MACHINE;
-    FILE *f = fopen(before, "r");
+    FILE *f = file_is_special(before) ? NULL : fopen(before, "r");
     const size_t n = f ? fread(text, 1, sizeof magic - 1, f) : 0;
     if (f) fclose(f);
-    if (memcmp(text, magic, n) == 0) return 0; /* a torn one may be short, even empty */
+    if (!file_is_special(before) && memcmp(text, magic, n) == 0) return 0; /* a torn one is short */
     return fault_set(fault, FAULT_USAGE,
                      "--checkpoint: got '%s', takes a path where FILE.1 is free or a checkpoint",
                      path);
@@ -36,8 +35,7 @@ int saved_check_before(const char *path, Fault *fault)
 
 int saved_check_path(const char *option, const char *path, Fault *fault)
 {
-    struct stat s;
-    if (!path || stat(path, &s) != 0 || S_ISREG(s.st_mode)) return 0;
+    if (!path || !file_is_special(path)) return 0;
     return fault_set(fault, FAULT_USAGE, "%s: got '%s', takes a regular file with --checkpoint",
                      option, path);
 }
@@ -169,7 +167,7 @@ FILE *saved_open(const char *path, const SavedKey *key, char chosen[PATH_MAX], F
     if (second == FOREIGN)
         refuse_foreign(before, key, head, fault);
     else
-        fault_set(fault, FAULT_USAGE, "--resume: got '%s', which is %s, and %s.1 is %s", path,
-                  words[found], path, words[second]);
+        fault_set(fault, FAULT_USAGE, "--resume: got '%s', which is %s, and %s is %s", path,
+                  words[found], before, words[second]);
     return NULL;
 }

@@ -10,17 +10,17 @@ void stash_bytes(Stash *s, void *at, size_t n)
         s->bad = fwrite(at, 1, n, s->f) != n;
 }
 
-bool stash_same(Stash *s, long number)
+bool stash_same_option(Stash *s, long number, const char *why)
 {
     long other = number;
     STASH(s, other);
-    s->bad = s->bad || other != number;
-    return !s->bad;
-}
-
-bool stash_same_option(Stash *s, long number, const char *why)
-{
-    if (s->bad || stash_same(s, number)) return !s->bad;
+    if (s->bad || other == number) return !s->bad;
+    s->bad = true;
     s->why = why;
     return false;
+}
+
+bool stash_same(Stash *s, long number)
+{
+    return stash_same_option(s, number, "other particles or nodes");
 }

@@ -11,17 +11,18 @@ typedef struct Stash {
     FILE *f;
     bool load;       /* bytes come in, else they go out */
     bool bad;        /* a read or write failed: what was read since is not to be used */
-    const char *why; /* of what run the state is, if that is why it is bad; or NULL */
+    const char *why; /* what the run of the state has and this one has not; NULL: no difference */
 } Stash;
 
 /* Writes n bytes at `at`, or reads them there. */
 void stash_bytes(Stash *s, void *at, size_t n);
 
-/* Writes a number, or reads one and compares: an array's length. False if they differ. */
-bool stash_same(Stash *s, long number);
-
-/* The same for what the option decides that `why` names. */
+/* Writes a number that an option sets, or reads one and compares. False if they differ: then `why`
+ * names what the run of the state has ("another --every"). */
 bool stash_same_option(Stash *s, long number, const char *why);
+
+/* The same for the length of an array. */
+bool stash_same(Stash *s, long number);
 
 #define STASH(s, object) stash_bytes((s), &(object), sizeof(object))
 

@@ -3,6 +3,7 @@
 #define MPMLAB_TABLE_H
 
 #include <limits.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include "fault.h"
 
@@ -39,8 +40,13 @@ int file_check(const char *path, Fault *fault);
 /* Makes a folder and those above it. 0 or a fault. */
 int file_make_folder(const char *path, Fault *fault);
 
-/* The file that a symbolic link stands for, which need not exist yet; else path itself. */
+/* The file that a symbolic link stands for, which need not exist yet, or the open stream
+ * (/proc/self/fd/1); else path itself. */
 void file_target(const char *path, char out[PATH_MAX]);
+
+/* Is path a stream that is open already (/dev/stdout), a device, a pipe or a folder? What is
+ * written to it goes there at once and cannot be read back. */
+bool file_is_special(const char *path);
 
 /* Opens a temporary file beside path; file_commit flushes, checks and renames it into place, so
  * that path is either the whole new file or what it was. A link stays a link: its target is

@@ -1,5 +1,6 @@
 /* checkpoint.c: the state of a run on disk (loop.h). What a state consists of: stash_loop. */
 #include "loop.h"
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include "common/base/stopwatch.h"
@@ -115,12 +116,14 @@ void checkpoint_write(Loop *l, Moment *m, Side *before, bool now)
     if (!l->save.path || l->code || (!now && t - l->save.last < l->save.every_s)) return;
     const SavedKey key = {l->save.command, l->save.program};
     stopwatch_read(&l->steps);
+    errno = 0;
     Stash s = {.f = saved_begin(l->save.path, &key, l->fault)};
     l->code = s.f ? 0 : FAULT_MACHINE;
     if (l->code) return;
     stash_loop(l, m, before, &s);
     if (s.bad) {
-        l->code = fault_machine(l->fault, l->save.path);
+        l->code = fault_set(l->fault, FAULT_MACHINE, "%s: %s", l->save.path,
+                            strerror(errno ? errno : EIO));
         file_abandon(s.f, l->save.path);
     } else {
         l->code = saved_commit(s.f, l->save.path, l->fault);
@@ -133,10 +136,14 @@ int checkpoint_read(Loop *l, Moment *m, Side *before)
     const SavedKey key = {l->save.command, l->save.program};
     Stash s = {.f = saved_open(l->save.resume, &key, NULL, l->fault), .load = true};
     if (!s.f) return FAULT_USAGE;
+    errno = 0;
     stash_loop(l, m, before, &s);
     fclose(s.f);
     m->nprobe = l->probes.n;
     if (!s.bad) return snapshot_go_on(&l->shots, l->fault);
-    return fault_set(l->fault, FAULT_USAGE, "--resume: got '%s', a checkpoint of a run with %s",
-                     l->save.resume, s.why ? s.why : "other particles or nodes");
+    if (s.why)
+        return fault_set(l->fault, FAULT_USAGE, "--resume: got '%s', a checkpoint of a run with %s",
+                         l->save.resume, s.why);
+    return fault_set(l->fault, FAULT_MACHINE, "%s: %s", l->save.resume,
+                     strerror(errno ? errno : EIO));
 }

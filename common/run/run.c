@@ -59,7 +59,7 @@ static void begin(Loop *l, Moment *m, Side *before)
                   .nprobe = l->probes.n,
                   .nwall = l->plan->scene.nwall};
     loop_measure_state(l, m);
-    if (l->shots.dir)
+    if (l->shots.dir && !l->code)
         l->code = snapshot_start(&l->shots, &l->plan->setup, l->plan->solver, l->self, l->fault);
 }
 

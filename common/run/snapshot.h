@@ -36,8 +36,9 @@ void snapshot_free(Snapshots *s);
 /* What has been taken, out or in (stash.h). */
 void snapshot_stash(Snapshots *s, Stash *stash);
 
-/* After what had been taken was read in: lists it anew, and deletes the instant at which the run
- * was stopped. 0, or a fault: the folder lacks one of them. */
+/* After what had been taken was read in: deletes later snapshots that the lists in the folder name
+ * (of the instant at which the run was stopped), and writes the lists anew. 0, or a fault before
+ * anything is changed: the folder lacks a snapshot. */
 int snapshot_go_on(Snapshots *s, Fault *fault);
 
 /* Can snapshots be written into this folder? 0 or a fault with code 1. */

@@ -1,6 +1,5 @@
 /* snapshot_list.c: see snapshot_list.h. */
 #include "snapshot_list.h"
-#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,13 +56,16 @@ int snapshot_list(Snapshots *s, int kind, bool last, Fault *fault)
 
 void snapshot_stash(Snapshots *s, Stash *stash)
 {
-    const char *const other = s->dir ? "no --vtk" : "--vtk";
-    if (!stash_same_option(stash, s->dir != NULL, other) || !s->dir) return;
-    long every_s; /* its bits */
-    memcpy(&every_s, &s->every_s, sizeof every_s);
-    if (!stash_same_option(stash, s->every, "another --every") ||
-        !stash_same_option(stash, every_s, "another --every"))
+    const int every = s->every;
+    const double every_s = s->every_s;
+    if (!stash_same_option(stash, s->dir != NULL, s->dir ? "no --vtk" : "--vtk") || !s->dir) return;
+    STASH(stash, s->every);
+    STASH(stash, s->every_s);
+    if (s->every != every || s->every_s < every_s || s->every_s > every_s) {
+        stash->bad = true;
+        stash->why = "another --every";
         return;
+    }
     STASH(stash, s->slot);
     for (int kind = 0; kind < SHOT_KINDS; kind++) {
         int n = s->n[kind];
@@ -77,27 +79,29 @@ void snapshot_stash(Snapshots *s, Stash *stash)
     }
 }
 
-/* Deletes the snapshots behind the last one of the list. */
+/* Deletes the snapshots behind the last one here that the list on disk names: the instant at which
+ * the run was stopped. The folder may hold those of other runs. */
 static void delete_later(const Snapshots *s, int kind)
 {
-    const size_t n = strlen(stems[kind]);
-    const long last = s->n[kind] ? s->step[kind][s->n[kind] - 1] : -1;
-    char path[PATH_MAX];
-    DIR *d = opendir(s->dir);
-    for (struct dirent *e; d && (e = readdir(d));) {
-        long step = -1;
-        if (strncmp(e->d_name, stems[kind], n) != 0) continue;
-        if (sscanf(e->d_name + n, "_%ld.vtp", &step) != 1 || step <= last) continue;
+    char path[PATH_MAX], line[PATH_MAX], form[64];
+    long step;
+    list_path(s->dir, kind, path);
+    snprintf(form, sizeof form, "<DataSet timestep=\"%%*[^\"]\" part=\"0\" file=\"%s_%%ld.vtp",
+             stems[kind]);
+    FILE *list = fopen(path, "r");
+    while (list && fgets(line, sizeof line, list)) {
+        if (sscanf(line, form, &step) != 1 || step <= s->step[kind][s->n[kind] - 1]) continue;
         snapshot_path(s, kind, step, path);
         unlink(path);
     }
-    if (d) closedir(d);
+    if (list) fclose(list);
 }
 
 int snapshot_go_on(Snapshots *s, Fault *fault)
 {
     char path[PATH_MAX];
-    for (int kind = 0; kind < SHOT_KINDS && s->dir; kind++) {
+    int code = 0;
+    for (int kind = 0; kind < SHOT_KINDS && s->dir; kind++)
         for (int k = 0; k < s->n[kind]; k++) {
             snapshot_path(s, kind, s->step[kind][k], path);
             if (access(path, R_OK) != 0)
@@ -106,8 +110,10 @@ int snapshot_go_on(Snapshots *s, Fault *fault)
                                  "so far (%s_%06ld.vtp)",
                                  s->dir, stems[kind], s->step[kind][k]);
         }
-        if (snapshot_list(s, kind, true, fault)) return FAULT_MACHINE;
+    for (int kind = 0; kind < SHOT_KINDS && s->dir && !code; kind++) {
+        if (!s->n[kind]) continue;
         delete_later(s, kind);
+        code = snapshot_list(s, kind, true, fault);
     }
-    return 0;
+    return code;
 }

@@ -64,19 +64,23 @@ int run_files_take(RunArgs *args, const char *option, const char *got, Fault *fa
 /* Is `path` that of a snapshot or of a list of them, in this folder? */
 static bool is_snapshot(const char *path, const char *folder)
 {
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    char target[PATH_MAX];
+    file_target(path, target);
+    const char *slash = strrchr(target, '/'), *name = slash ? slash + 1 : target;
     const char *ending = strrchr(name, '.');
     if (!ending || (strcmp(ending, ".vtp") != 0 && strcmp(ending, ".pvd") != 0)) return false;
     char *beside = must_text("%s/%s", folder, name);
-    const bool same = is_same_file(beside, path);
+    const bool same = is_same_file(beside, target);
     free(beside);
     return same;
 }
 
-static bool is_state_before(const char *path, const char *checkpoint)
+/* Is it the other name of a state, FILE.1? (A run that was killed may leave one file with both
+ * names.) */
+static bool is_state_before(const char *path, const char *state)
 {
     char target[PATH_MAX];
-    file_target(checkpoint, target);
+    file_target(state, target);
     char *before = must_text("%s.1", target);
     const bool same = is_same_file(before, path);
     free(before);
@@ -85,17 +89,17 @@ static bool is_state_before(const char *path, const char *checkpoint)
 
 int run_files_check(const RunArgs *args, Fault *fault)
 {
-    const char *const vtk = args->spec.vtk, *const checkpoint = args->spec.checkpoint;
+    const RunSpec *s = &args->spec;
     for (const struct File *f = files; f < files + sizeof files / sizeof *files; f++) {
-        const char *path = *(const char *const *)((const char *)args + f->at);
-        if (path && vtk && path != vtk && is_snapshot(path, vtk))
-            return fault_set(fault, FAULT_USAGE,
-                             "--%s: got '%.80s', takes a path that is no snapshot of --vtk",
-                             f->option, path);
-        if (path && checkpoint && is_state_before(path, checkpoint))
-            return fault_set(fault, FAULT_USAGE,
-                             "--%s: got '%.80s', takes another path than FILE.1 of --checkpoint",
-                             f->option, path);
+        const char *path = *(const char *const *)((const char *)args + f->at), *wrong = NULL;
+        if (!path || path == s->checkpoint) continue;
+        if (s->vtk && path != s->vtk && is_snapshot(path, s->vtk)) wrong = "a snapshot of --vtk";
+        if (s->checkpoint && is_state_before(path, s->checkpoint)) wrong = "FILE.1 of --checkpoint";
+        if (s->resume && (is_same_file(path, s->resume) || is_state_before(path, s->resume)))
+            wrong = "the state of --resume";
+        if (wrong)
+            return fault_set(fault, FAULT_USAGE, "--%s: got '%.80s', takes another path than %s",
+                             f->option, path, wrong);
     }
     return 0;
 }

@@ -143,6 +143,7 @@ static void test_file_links(void)
     static const char *const links[] = {"scratch/first", "scratch/second"};
     static const char real[] = "scratch/real", *const texts[] = {"new", "another"};
     struct stat s;
+    mkdir("scratch", 0777);
     unlink(real), unlink(links[0]), unlink(links[1]);
     CU_ASSERT_FATAL(symlink("second", links[0]) == 0 && symlink("real", links[1]) == 0);
     for (int k = 0; k < 4; k++) {

@@ -349,7 +349,14 @@ ok "the grid at the start" test -s snap/time/nodes_000000.vtp
 # A stream goes on where it is, also if it is a file.
 "$program" run bar --set steps=150 --history /proc/self/fd/1 >both 2>err
 "$program" run bar --set steps=150 --history h.csv >out
-ok "history and row in one stream: $(cat err)" cmp -s <(cat h.csv out | timeless /dev/stdin) <(timeless both)
+ok "history and row: $(cat err)" test "$(lines both)" -eq 154 -a "$(lines h.csv)" -eq 152
+ok "in one stream" cmp -s <(cat h.csv out | timeless /dev/stdin) <(timeless both)
+ln -s /proc/self/fd/1 stream
+"$program" run bar --set steps=150 --history stream >through 2>err
+ok "through a link: $(cat err)" cmp -s <(timeless both) <(timeless through)
+refused "a stream to read from" 1 "Bad file descriptor" run bar --history /dev/fd/0 </dev/null
+refused "a state cannot be read back" 2 "--checkpoint: got '/proc/self/fd/1'" run bar --checkpoint /proc/self/fd/1
+refused "nor a history" 2 "--history: got '/proc/self/fd/1'" run bar --history /proc/self/fd/1 --checkpoint state
 run run bar --set steps=150
 cp out plain.csv
 run run bar --set steps=150 --vtk snap/time --every 1

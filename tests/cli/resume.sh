@@ -123,6 +123,13 @@ run run $words --history resumed.history --probe .7,.7 --resume state.1
 ok "the same probe: $(cat err)" cmp -s whole.history resumed.history
 run run $words --resume state.1
 ok "no history, no probe: $(cat err)" test $status -eq 0
+mkfifo pipe.1
+refused "a FILE.1 that is a pipe" 2 "where FILE.1 is free or a checkpoint" run $words --checkpoint pipe
+ln -f state state.1 # as a kill between two renamings leaves them
+run run $words --resume state --checkpoint state
+ok "two names of one state: $(cat err)" test $status -eq 0
+refused "the state is overwritten by an output" 2 "another path than the state of --resume" \
+    run $words --resume state --history ./state.1
 echo mine >bare.1
 refused "a FILE.1 that is no checkpoint" 2 "where FILE.1 is free or a checkpoint" run $words --checkpoint bare
 ok "is left alone" grep -qx mine bare.1
@@ -152,12 +159,14 @@ for other in "--vtk shots" "--vtk shots --every 9999" "--vtk shots --every .001s
 done
 refused "resumed without --vtk" 2 "a run with --vtk" run $words --resume state --history h
 mkdir none
+touch shots/particles_040001.vtp shots/cells_000007.vtp shots/particles_000001.vtp # of other runs
 refused "resumed into another folder" 2 "--vtk: got 'none', takes the folder" run $words --vtk none --every 10000 \
     --resume state --history h
 "$program" run $words --vtk shots --every 10000 --resume state --checkpoint state --history resumed.history \
     --particles resumed.particles >out 2>err
 timeless out >resumed.row
 ok "resumed: $(cat err)" alike whole resumed
+ok "other files are left alone" rm shots/particles_040001.vtp shots/cells_000007.vtp shots/particles_000001.vtp
 ok "its snapshots" bash -c 'cd shots && sha256sum -- * | cmp -s - ../whole.sums'
 # A kill between naming a file and renaming it leaves state.PID.tmp or state.1.PID.tmp, which no run reads.
 ok "nothing else half written is left" test -z "$(find . -name '*.tmp' ! -name 'state.*')"
