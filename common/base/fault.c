@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 enum { LONGEST_TEXT = sizeof((Fault *)NULL)->text, HALF = LONGEST_TEXT / 2 - 3, MOST = 1 << 14 };
 
@@ -55,8 +56,7 @@ static bool same_letter(char a, char b)
 }
 
 /* How many letters must be changed, left out, added or exchanged with their neighbour to make b of
- * a (optimal string alignment), or one more than to make the beginning of b: an abbreviation is
- * near. Only the first LONGEST_NAME letters of b count. */
+ * a (optimal string alignment); only the first LONGEST_NAME letters of b count. */
 static int edit_distance(const char *a, const char *b)
 {
     int rows[3][LONGEST_NAME + 1] = {{0}}, *last = rows[0], *row = rows[1], *next = rows[2];
@@ -74,22 +74,21 @@ static int edit_distance(const char *a, const char *b)
         row = next;
         next = spare;
     }
-    int least = row[nb];
-    for (int j = 0; j < nb; j++) least = min2(least, row[j] + 1);
-    return least;
+    return row[nb];
 }
 
-/* The nearest of the names; NULL if more than half of the letters of the word (rounded up) would
- * have to be changed for it. */
+/* NULL if there are no names. */
 static const char *nearest(const char *got, const char *const *names, int n)
 {
     const char *best = NULL;
-    int least = ((int)strlen(got) + 1) / 2 + 1;
+    int least = 0;
     for (int k = 0; k < n; k++) {
         const int distance = edit_distance(got, names[k]);
-        if (distance >= least) continue;
+        const bool begins = *got && strncasecmp(got, names[k], strlen(got)) == 0;
+        const int own = begins ? min2(distance, 1) : distance; /* an abbreviation is near */
+        if (best && own >= least) continue;
         best = names[k];
-        least = distance;
+        least = own;
     }
     return best;
 }
@@ -97,7 +96,7 @@ static const char *nearest(const char *got, const char *const *names, int n)
 int fault_did_you_mean(Fault *f, const char *dashes, const char *got, const char *const *names,
                        int n)
 {
-    const char *name = nearest(got, names, n);
+    const char *name = *got ? nearest(got, names, n) : NULL;
     if (!f || !name) return FAULT_USAGE;
     const size_t length = strlen(f->text);
     snprintf(f->text + length, sizeof f->text - length, "; did you mean '%s%s'?", dashes, name);
