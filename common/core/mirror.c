@@ -129,7 +129,7 @@ size_t mirror_image(const Grid *g, const int index[DIM], double sign[DIM])
 bool mirror_has_node(const Grid *g, int axis, int i, int row)
 {
     int index = i;
-    for (int d = 1; d <= axis; d++) index = row % g->n[d], row /= g->n[d];
+    for (int d = 1; d < DIM && d <= axis; d++) index = row % g->n[d], row /= g->n[d];
     for (int k = 0; k < g->nmirror; k++)
         if (g->mirror[k].axis == axis && g->mirror[k].at == index) return true;
     return false;
