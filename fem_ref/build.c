@@ -94,7 +94,7 @@ static double measure(Fem *f, int slot)
     }
     double square = 0;
     for (int a = 0; a < DIM; a++) square += total[a] * total[a];
-    f->A0[slot] = slot < f->elements ? det / FACTORIAL : 0;
+    f->A0[slot] = slot < f->elements ? det / (double)FACTORIAL : 0;
     for (int d = 0; d < DIM && f->integrate; d++) {
         f->middle[d][slot] = 0;
         for (int c = 0; c < CORNERS; c++)

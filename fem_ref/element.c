@@ -95,7 +95,7 @@ static inline void push(Edges edge, Field T[NMAT], const Field J, Packed *force)
 {
     Field out[CORNERS][DIM];
     for (int e = 0; e < CHUNK; e++) {
-        const double share = 1 / (FACTORIAL * J[e]);
+        const double share = 1 / ((double)FACTORIAL * J[e]);
         Mat now;
         for (int c = 0; c < NMAT; c++) now[c] = edge[c % DIM][c / DIM][e];
         for (int a = 0; a < DIM; a++) {

@@ -112,7 +112,7 @@ static void fill(const Fem *f, Sides *e, const Side *side)
         area_vector(f, s, vector);
         for (int d = 0; d < DIM; d++) square += vector[d] * vector[d];
         e->node[at] = s->node[at % DIM];
-        e->area[at] = sqrt(square) / FACTORIAL; /* (DIM - 1)! and DIM shares */
+        e->area[at] = sqrt(square) / (double)FACTORIAL; /* (DIM - 1)! and DIM shares */
         for (int d = 0; d < DIM; d++) {
             e->X[d][at] = f->X[d][e->node[at]];
             e->N[d][at] = vector[d] / sqrt(square);

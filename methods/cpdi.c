@@ -17,9 +17,9 @@ static void list(const Chunk *c, const Place *grid, const Field x[], NodeList *o
     for (int p = 0; p < CHUNK; p++) {
         Mat F;
         for (int k = 0; k < NMAT; k++) F[k] = c->F[k][p];
-        const double scale = 1 / (determinant(F) * CORNERS * grid->half);
+        const double scale = 1 / (determinant(F) * (double)CORNERS * grid->half);
         for (int k = 0; k < NMAT; k++) inverse[k][p] = scale * cofactor(F, k / DIM, k % DIM);
-        w[p] = 1.0 / CORNERS;
+        w[p] = 1.0 / (double)CORNERS;
     }
     for (int corner = 0; corner < CORNERS; corner++) {
         for (int d = 0; d < DIM; d++)

@@ -54,7 +54,7 @@ static int init(Scene *s, char why[128])
     s->c = material_wave_speed_bound(&s->mat);
     s->k[RAMP] = s->t_end = 2 * M_PI / w;
     s->k[TAU] = s->par[SHEAR] * s->par[E];
-    s->traction = s->par[LOAD] == END;
+    s->traction = s->par[LOAD] == (double)END;
     s->error_scale = 1;
     return 0;
 }

@@ -76,7 +76,7 @@ static bool draw(const Scene *s, Image *out)
             for (int i = 0; i < n[0]; i++) {
                 const double x[] = {(i + 0.5) / side, (j + 0.5) / side, (k + 0.5) / side};
                 const double light = fmin(fmax(0.5 - 0.25 * side * drawn_depth(s, x), 0), 1);
-                out->grey[image_at(out, i, j, k)] = (uint16_t)lround(GREY_LIGHT * light);
+                out->grey[image_at(out, i, j, k)] = (uint16_t)lround((double)GREY_LIGHT * light);
             }
     return true;
 }
@@ -111,7 +111,7 @@ static bool has_dark(const Scene *s, const Image *image)
 {
     const size_t n = image_at(image, 0, 0, image->n[2]);
     for (size_t k = 0; k < n; k++)
-        if (image->grey[k] < s->par[THRESHOLD] * GREY_LIGHT) return true;
+        if (image->grey[k] < s->par[THRESHOLD] * (double)GREY_LIGHT) return true;
     return false;
 }
 

@@ -47,7 +47,7 @@ static bool make_room(Image *im, int k, int columns, int rows)
                  rows, im->n[0], im->n[1]);
         return false;
     }
-    if (columns < 1 || rows < 1 || (double)columns * rows * (k + 1) > MOST_SAMPLES) {
+    if (columns < 1 || rows < 1 || (double)columns * rows * (k + 1) > (double)MOST_SAMPLES) {
         snprintf(reported, sizeof reported, "%d x %d samples, takes 1 to 2^30 in all", columns,
                  rows);
         return false;

@@ -8,8 +8,8 @@ static void point_on_axis(int k, bool gauss, double *x, double *weight)
     const int far = k == 0 || k == SAMPLES_AXIS - 1;
     const double root = sqrt(6.0 / 5), share = sqrt(30) / 36;
     const double out = sqrt(3.0 / 7 + (far ? 2.0 : -2.0) / 7 * root);
-    *x = gauss ? 0.5 + (k < 2 ? -0.5 : 0.5) * out : (k + 0.5) / SAMPLES_AXIS;
-    *weight = gauss ? 0.5 * (0.5 + (far ? -share : share)) : 1.0 / SAMPLES_AXIS;
+    *x = gauss ? 0.5 + (k < 2 ? -0.5 : 0.5) * out : (k + 0.5) / (double)SAMPLES_AXIS;
+    *weight = gauss ? 0.5 * (0.5 + (far ? -share : share)) : 1.0 / (double)SAMPLES_AXIS;
 }
 
 static double distance_at(int axes, const double distance[], const double x[3])

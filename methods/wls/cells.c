@@ -148,7 +148,7 @@ static inline void multiply_full(Wls *w, const size_t corner[CORNERS], const Hal
         }
     for (int k = 0; k < CORNERS; k++) {
         w->inertia[corner[k]].product += f[k];
-        w->inertia[corner[k]].row += mass / CORNERS * row[k];
+        w->inertia[corner[k]].row += mass / (double)CORNERS * row[k];
     }
 }
 

@@ -74,7 +74,7 @@ static void solve_cells(Sim *sim, int row, const void *unused)
  */
 static void add_cell(const Sim *sim, const Centres *c, size_t cell, int k, Line *node)
 {
-    const double V = c->share[cell] * 2 / CORNERS * sim->g.cells * wls_cell_volume(sim);
+    const double V = c->share[cell] * 2 / (double)CORNERS * sim->g.cells * wls_cell_volume(sim);
     for (int b = 0; b < DIM; b++)
         for (int a = 0; a < DIM; a++)
             (*node)[FLUX + b * DIM + a] -=

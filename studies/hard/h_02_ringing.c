@@ -40,7 +40,7 @@ static void cases(Cases *list, bool quick)
                           "run block --method ge_wls --cells %d --set dim=%d --set ripple=1e-4 "
                           "--set offset_x=%.2f --set offset_y=0.3 --t-end %.17g",
                           COARSE, dim, k / (double)PLACES,
-                          (quick ? 10 : LONG) * BLOCK_CFL / (COARSE * BLOCK_SPEED));
+                          (quick ? 10 : LONG) * BLOCK_CFL / ((double)COARSE * BLOCK_SPEED));
     for (const Engine *const *e = engines; *e && (*e)->dim <= 2; e++)
         EACH_GRID_METHOD(m, *e)
             for (int v = 0; v < VARIANTS; v++) {

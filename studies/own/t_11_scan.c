@@ -60,7 +60,7 @@ static void write_stress(FILE *f, const Results *r, const char *method)
     int last = 0;
     for (int k = 1; k < t->nrow; k++) {
         const double from = select_number(t, last, "t"), to = select_number(t, k, "t");
-        if (to - from < t_end / POINTS * (1 - 1e-9)) continue;
+        if (to - from < t_end / (double)POINTS * (1 - 1e-9)) continue;
         const double work =
             select_number(t, k, "external_work") - select_number(t, last, "external_work");
         const double way = 0.1 * (to - from) / t_end; /* both platens, of a height of 1 m */

@@ -53,7 +53,7 @@ static void tables(const Results *r)
     FILE *f = results_write(r, "slide", "way,centroid,exact,gauss16,samples16");
     double jump[RULES] = {0}, last[RULES] = {0}, d[4];
     for (int step = 0; step <= STEPS; step++) {
-        const double way = -0.5 + 3.0 * step / STEPS;
+        const double way = -0.5 + 3.0 * step / (double)STEPS;
         corner_distances(way, d);
         if (step % (STEPS / SHOWN) == 0) results_print(f, "%.17g", way);
         for (int rule = 0; rule < RULES; rule++) {

@@ -51,7 +51,8 @@ static double mass_error(const Results *r, const char *method, int count)
     double most = -INFINITY;
     for (int i = 0; i < nodes->nrow; i++)
         if (is_inside(nodes, i, "x", 0.3))
-            most = measure_worse(most, fabs(select_number(nodes, i, "mass") * BAR_CELLS - 1));
+            most =
+                measure_worse(most, fabs(select_number(nodes, i, "mass") * (double)BAR_CELLS - 1));
     return isinf(most) ? NAN : most;
 }
 
@@ -59,7 +60,7 @@ static double mass_error(const Results *r, const char *method, int count)
 static double force_inside(const Results *r, const char *method)
 {
     const Table *nodes = results_run(r, "block.%s", method);
-    const double h = 1.0 / BLOCK_CELLS, dt = BLOCK_CFL * h / BLOCK_SPEED;
+    const double h = 1.0 / (double)BLOCK_CELLS, dt = BLOCK_CFL * h / BLOCK_SPEED;
     double most = -INFINITY;
     for (int i = 0; i < nodes->nrow; i++) {
         const double m = select_number(nodes, i, "mass") / (dt * 1e4 * h);
@@ -79,7 +80,8 @@ static void tables(const Results *r)
         for (int k = 0; k < COUNTS; k++) {
             const double error = mass_error(r, m, counts[k]);
             if (!isnan(error))
-                results_print(mass, "%s,%g,%.10g\n", m, (double)counts[k] / BAR_CELLS, error);
+                results_print(mass, "%s,%g,%.10g\n", m, (double)counts[k] / (double)BAR_CELLS,
+                              error);
         }
     EACH_WORD(m, domains) {
         const double f = force_inside(r, m);

@@ -59,7 +59,7 @@ static double condition(int n, const double *x, int i, int j)
     gsl_vector_view values = gsl_vector_view_array(e, 3);
     gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(3);
     for (int p = 0; p < n; p++) {
-        const double r[3] = {1, CELLS * x[2 * p] - i, CELLS * x[2 * p + 1] - j};
+        const double r[3] = {1, (double)CELLS * x[2 * p] - i, (double)CELLS * x[2 * p + 1] - j};
         const double W = spline_quadratic(r[1]) * spline_quadratic(r[2]);
         for (int k = 0; k < 9 && W > 0; k++) M[k] += W * r[k / 3] * r[k % 3];
     }

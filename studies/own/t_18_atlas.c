@@ -37,7 +37,7 @@ static void add_files(Cases *list, bool quick)
                       INSIDE, STRETCH, turned * 30, DRIFT);
     case_add_each(list, "history", "ripple", ripple,
                   "run block --cells %d --set dim=3 --set ripple=1e-4 " OFF " --t-end %.17g", CELLS,
-                  (quick ? 10 : STEPS) * BLOCK_CFL / (CELLS * BLOCK_SPEED));
+                  (quick ? 10 : STEPS) * BLOCK_CFL / ((double)CELLS * BLOCK_SPEED));
 }
 
 static void cases(Cases *list, bool quick)
@@ -73,14 +73,15 @@ static void cases(Cases *list, bool quick)
 static double force(const Table *t, double degrees)
 {
     static const double off[] = {0.13, 0.42, 0.77};
-    const BlockNodes block = {3, INSIDE, 3, off, STRETCH, degrees, DRIFT, 0.5 - 4.0 / INSIDE};
+    const BlockNodes block = {3,       INSIDE,  3,     off,
+                              STRETCH, degrees, DRIFT, 0.5 - 4.0 / (double)INSIDE};
     return block_nodes_largest(&block, t);
 }
 
 /* H-8: mean J over exp(2 pi w dt). */
 static double growth(const Table *t)
 {
-    return masses_sum(t, (const double[2]){2, 2}).J / exp(2 * M_PI * BLOCK_CFL / CELLS);
+    return masses_sum(t, (const double[2]){2, 2}).J / exp(2 * M_PI * BLOCK_CFL / (double)CELLS);
 }
 
 static void tables(const Results *r)

@@ -33,7 +33,8 @@ static Measure early(const Results *r)
         const Bounce b = bounce(r, methods[m]);
         latest = measure_max(latest, measure_with(b.least, b.at));
     }
-    return measure_with(measure_sum(latest, mesh.least), (mesh.at - latest.value) * 0.2 * CELLS);
+    return measure_with(measure_sum(latest, mesh.least),
+                        (mesh.at - latest.value) * 0.2 * (double)CELLS);
 }
 
 static void check(Check *c, const Results *r)

@@ -32,7 +32,7 @@ static void cases(Cases *list, bool quick)
                      "offset_y=%.6f --set offset_z=%.6f --set angle=%.4f",
                      methods[m], CELLS, at[k][0], at[k][1], at[k][2], at[k][3]);
         case_add(list, "run shell --method %s --cells %d --t-end %g", methods[m], CELLS,
-                 quick ? 0.02 : 0.02 * PERIODS);
+                 quick ? 0.02 : 0.02 * (double)PERIODS);
     }
 }
 

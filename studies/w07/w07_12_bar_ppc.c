@@ -97,7 +97,7 @@ static Measure order(const Table *t, const char *method, const char *error)
             curve_add(&c, 1.0 / meshes[i],
                       run_row_value(t, error, run, method, meshes[i], period, particles(k, i)));
         const Measure one = curve_order(&c, 0, 1, MESHES);
-        mean = measure_sum(mean, measure_with(one, one.value / ORDERS));
+        mean = measure_sum(mean, measure_with(one, one.value / (double)ORDERS));
     }
     return mean;
 }

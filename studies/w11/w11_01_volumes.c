@@ -103,7 +103,7 @@ static void check_areas(Check *c, const Results *r, double ring)
     claim(c, "W11-1.corners",
           "WLS rounds corners: area missing from a square block, .3 cells off the grid's lines "
           "[cells]",
-          measure_with(block, (1 - block.value) * CELLS * CELLS), 0.5, 3);
+          measure_with(block, (1 - block.value) * (double)CELLS * (double)CELLS), 0.5, 3);
 }
 
 static void check(Check *c, const Results *r)

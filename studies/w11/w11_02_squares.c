@@ -111,10 +111,11 @@ static double worst_departure(int *masks)
 static double fastest_change(void)
 {
     enum { ANGLES = 90, STEPS = 2000 };
-    const double step = 3.0 / STEPS;
+    const double step = 3.0 / (double)STEPS;
     double most = 0;
     for (int a = 0; a < ANGLES; a++) {
-        const double nx = cos(2 * M_PI * a / ANGLES), ny = sin(2 * M_PI * a / ANGLES);
+        const double nx = cos(2 * M_PI * a / (double)ANGLES),
+                     ny = sin(2 * M_PI * a / (double)ANGLES);
         double before = 0;
         for (int k = 0; k < STEPS; k++) {
             double d[4], area = 0;

@@ -31,7 +31,8 @@ static void check_imposed(const Method *m, const char *set, double per_step)
 
 static void test_imposed(void)
 {
-    const double dt = 0.3 / (COARSE * speed), rate = 0.7 * speed * dt, spin = 0.9 * speed * dt;
+    const double dt = 0.3 / ((double)COARSE * speed), rate = 0.7 * speed * dt,
+                 spin = 0.9 * speed * dt;
     int tried = 0;
     FOR_METHODS(m)
     {
@@ -107,8 +108,8 @@ static void test_history(void)
     enum { VOLUME, LEAST, MOST, ANGULAR };
     static const char path[] = "hard_history.csv";
     double end[8];
-    const double w = 0.5 * speed, J = pow(1 + 0.3 / RUN_CELLS * 0.5, 30);
-    const double turned = pow(1 + pow(0.3 / RUN_CELLS * 0.5, 2), 30);
+    const double w = 0.5 * speed, J = pow(1 + 0.3 / (double)RUN_CELLS * 0.5, 30);
+    const double turned = pow(1 + pow(0.3 / (double)RUN_CELLS * 0.5, 2), 30);
     run("rate=0.5", "ge_gimp", "cd", path);
     last_line(path, end);
     CHECK_CLOSE(end[VOLUME], J, 1e-12);

@@ -217,7 +217,7 @@ static void test_corner_on_nodes(void)
             {
                 Fixture r;
                 if (!has_slopes_on_nodes(*m) || (DIM > 2 && i > (n > 1 ? CD : UVF))) continue;
-                corner_shift = side * 0.5 / n / CORNER_CELLS;
+                corner_shift = side * 0.5 / n / (double)CORNER_CELLS;
                 fixture_scene(&r, &corner, *m, i, CORNER_CELLS, pow(n, DIM));
                 compare(&r, 20, 0);
                 compared++;

@@ -36,7 +36,7 @@ static void test_matrix_symbol(void)
         for (int row = 0; row < g->rows; row++)
             for (int i = 0; i < g->n[0]; i++)
                 x[(size_t)row * (size_t)g->n[0] + (size_t)i] =
-                    cos(k_wave * ((i + g->origin[0]) - middle(sim) * CELLS));
+                    cos(k_wave * ((i + g->origin[0]) - middle(sim) * (double)CELLS));
         multiply(sim, x);
         const Inertia in = wls_of(sim)->inertia[middle_node(sim)];
         check_coefficient(in.product[I_V] / in.row[I_SUM], exact ? 1.0 / 6 : 1.0 / 4);

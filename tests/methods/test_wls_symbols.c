@@ -11,11 +11,12 @@ static void set_velocity(Sim *sim, int axis)
 {
     const Particles *p = &sim->p;
     for (int s = 0; s < p->n; s++) {
-        const double phase = k_wave * (p->field[AT_X + axis][s] - middle(sim)) * CELLS;
+        const double phase = k_wave * (p->field[AT_X + axis][s] - middle(sim)) * (double)CELLS;
         for (int a = 0; a < DIM; a++) {
             p->field[AT_V + a][s] = cos(phase);
             for (int b = 0; b < DIM && p->field[AT_L]; b++)
-                p->field[AT_L + a * DIM + b][s] = b == axis ? -k_wave * CELLS * sin(phase) : 0;
+                p->field[AT_L + a * DIM + b][s] =
+                    b == axis ? -k_wave * (double)CELLS * sin(phase) : 0;
         }
     }
 }
@@ -26,10 +27,10 @@ static double set_strain(Sim *sim, int axis)
     const double nu = DIM > 1 ? 0.3 : 0, modulus = 1e4 * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
     const Particles *p = &sim->p;
     for (int s = 0; s < p->n; s++) {
-        const double phase = k_wave * (p->field[AT_X + axis][s] - middle(sim)) * CELLS;
+        const double phase = k_wave * (p->field[AT_X + axis][s] - middle(sim)) * (double)CELLS;
         p->field[AT_F + axis * (DIM + 1)][s] = 1 + epsilon * sin(phase);
     }
-    return epsilon * modulus * k_wave * CELLS;
+    return epsilon * modulus * k_wave * (double)CELLS;
 }
 
 /* The particle next to the middle, by id: slots change when particles are sorted. */
@@ -62,7 +63,7 @@ static void check_motion(const char *set, int axis, double fit, double motion)
     const int id = middle_particle(sim);
     set_velocity(sim, axis);
     const double before = sim->p.field[AT_X + axis][slot_of(sim, id)];
-    const double wave = cos(k_wave * (before - middle(sim)) * CELLS);
+    const double wave = cos(k_wave * (before - middle(sim)) * (double)CELLS);
     CU_ASSERT(sim_step(sim, 0, r.dt, false).code == OK);
     const double moved = sim->p.field[AT_X + axis][slot_of(sim, id)] - before;
     for (int a = 0; a < DIM; a++) check_coefficient(sim->g.node[middle_node(sim)][a], fit);
@@ -91,7 +92,7 @@ static void check_kick(const char *set, int axis, double node, double kick, doub
     const int id = middle_particle(sim);
     const double most = set_strain(sim, axis);
     const double before = sim->p.field[AT_X + axis][slot_of(sim, id)];
-    const double wave = most * cos(k_wave * (before - middle(sim)) * CELLS);
+    const double wave = most * cos(k_wave * (before - middle(sim)) * (double)CELLS);
     CU_ASSERT(sim_step(sim, 0, dt, false).code == OK);
     const int s = slot_of(sim, id);
     check_coefficient(sim->g.node[middle_node(sim)][DIM + axis] / most, node);
@@ -128,12 +129,13 @@ static void test_return(void)
                 const int index[] = {i, row, 0};
                 const double x = (index[axis] + g->origin[axis]) * dx - middle(sim);
                 for (int a = 0; a < DIM; a++)
-                    g->node[(size_t)row * (size_t)g->n[0] + (size_t)i][a] = cos(k_wave * x * CELLS);
+                    g->node[(size_t)row * (size_t)g->n[0] + (size_t)i][a] =
+                        cos(k_wave * x * (double)CELLS);
             }
         const double before = sim->p.field[AT_X + axis][slot];
         gather_all(sim, dx, TAKE_X);
         const double moved = (sim->p.field[AT_X + axis][slot] - before) / dx;
-        check_coefficient(moved / cos(k_wave * (before - middle(sim)) * CELLS), 1.0 / 8);
+        check_coefficient(moved / cos(k_wave * (before - middle(sim)) * (double)CELLS), 1.0 / 8);
         sim_free(sim);
     }
 }

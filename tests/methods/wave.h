@@ -7,7 +7,7 @@
 enum { CELLS = 16 };
 static const double k_wave = 2 * M_PI / 128; /* [1/cell] */
 static const double epsilon = 3e-7;          /* amplitude of the strain */
-static const double dx = 1.0 / CELLS;
+static const double dx = 1.0 / (double)CELLS;
 
 /* The block in the middle of its box, its lattice on the grid lines. */
 static inline Sim *block_open(Fixture *r, const char *more)
@@ -31,7 +31,7 @@ static inline size_t middle_node(const Sim *sim)
     const Grid *g = &sim->g;
     size_t at = 0;
     for (int d = DIM - 1; d >= 0; d--)
-        at = at * (size_t)g->n[d] + (size_t)(lround(middle(sim) * CELLS) - g->origin[d]);
+        at = at * (size_t)g->n[d] + (size_t)(lround(middle(sim) * (double)CELLS) - g->origin[d]);
     return at;
 }
 

@@ -59,12 +59,12 @@ static void check_samples(const char *kind, const unsigned char grey[SAMPLES])
     CU_ASSERT_FATAL(fixture_plan(&r, &c, "gimp", CD, NULL));
     Sim *sim = fixture_sim(&r);
     for (int k = 0; k < SAMPLES; k++) {
-        const double x = (k % SIDE + 0.5) / SIDE, y = 1 - (k / SIDE + 0.5) / SIDE;
+        const double x = (k % SIDE + 0.5) / (double)SIDE, y = 1 - (k / SIDE + 0.5) / (double)SIDE;
         dark += grey[k] < 128;
         CU_ASSERT(has_particle(sim, x, y) == (grey[k] < 128));
     }
     CU_ASSERT(sim->p.count == dark);
-    CHECK_CLOSE(sim->p.field[AT_VOL][0], 1.0 / SAMPLES, 1e-15);
+    CHECK_CLOSE(sim->p.field[AT_VOL][0], 1.0 / (double)SAMPLES, 1e-15);
     sim_free(sim);
 }
 
