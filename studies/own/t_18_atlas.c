@@ -73,9 +73,8 @@ static void cases(Cases *list, bool quick)
 static double force(const Table *t, double degrees)
 {
     static const double off[] = {0.13, 0.42, 0.77};
-    const BlockNodes block = {3,       INSIDE,  3,     off,
-                              STRETCH, degrees, DRIFT, 0.5 - 4.0 / (double)INSIDE};
-    return block_nodes_largest(&block, t);
+    const BlockNodes b = {3, INSIDE, 3, off, STRETCH, degrees, DRIFT, 0.5 - 4 / (double)INSIDE};
+    return block_nodes_largest(&b, t);
 }
 
 /* H-8: mean J over exp(2 pi w dt). */
